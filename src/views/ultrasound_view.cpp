@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "views/language.h"
 #include "views/theme.h"
 
 namespace bodkin::views {
@@ -54,6 +55,7 @@ void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& ch
   if (choice_ && patient_ != nullptr) {
     scan_.emplace(patient_->patient, *choice_, station::hold_probe(*choice_, patient_->patient), needle,
                   station::LiveScan::Place{});
+    scan_->screen().translate_by([](const std::string& words) { return in_words(words).toStdString(); });
     ordered_ = {scan_->pose(), scan_->settings()};
     resizeEvent(nullptr);
   }

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
+#include "imaging/ultrasound/frame.h"
 
 namespace bodkin::views {
 namespace {
@@ -80,6 +81,18 @@ TEST(Language, sentences_keep_their_numbers_and_translate_what_stands_between) {
                    "again"),
             "Nicht verbunden: room2:18944: die Verbindung wird beendet: mehr als 1000 Nachrichten in einer Sekunde. "
             "Neuer Versuch");
+}
+
+TEST(Language, the_ultrasound_machine_speaks_it) {
+  const Language language(QStringLiteral("de"), translations);
+  EXPECT_EQ(german(language, "Words", "contact 87 %"), "Kontakt 87 %");
+  EXPECT_EQ(german(language, "Words", "press 3.5 mm"), "eingedrückt 3.5 mm");
+  EXPECT_EQ(german(language, "Words", "FROZEN"), "ANGEHALTEN");
+  for (const auto why : {imaging::NoImage::outside_volume, imaging::NoImage::no_contact,
+                         imaging::NoImage::inside_body, imaging::NoImage::broken_pose}) {
+    const std::string text(imaging::reason(why));
+    EXPECT_FALSE(language.translate("Words", text.c_str(), nullptr, -1).isNull()) << text;
+  }
 }
 
 TEST(Language, a_number_sign_stands_for_numbers_alone) {

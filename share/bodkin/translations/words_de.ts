@@ -8695,4 +8695,35 @@
         <translation>Rück</translation>
     </message>
 </context>
+<context>
+    <name>Ultrasound screen</name>
+    <message>
+        <source>contact #1 %</source>
+        <translation>Kontakt #1 %</translation>
+    </message>
+    <message>
+        <source>press #1 mm</source>
+        <translation>eingedrückt #1 mm</translation>
+    </message>
+    <message>
+        <source>FROZEN</source>
+        <translation>ANGEHALTEN</translation>
+    </message>
+    <message>
+        <source>The probe is outside the volume that the CT shows; move it to the patient's skin.</source>
+        <translation>Der Schallkopf ist außerhalb des Volumens, das die CT zeigt; führen Sie ihn zur Haut des Patienten.</translation>
+    </message>
+    <message>
+        <source>The probe does not touch the skin; press it on, or use gel.</source>
+        <translation>Der Schallkopf berührt die Haut nicht; drücken Sie ihn an, oder nehmen Sie Gel.</translation>
+    </message>
+    <message>
+        <source>The probe's face is inside the body; pull it back to the skin.</source>
+        <translation>Die Fläche des Schallkopfs ist im Körper; ziehen Sie ihn zur Haut zurück.</translation>
+    </message>
+    <message>
+        <source>The probe's pose is no rigid placement of finite numbers; check where it comes from.</source>
+        <translation>Die Lage des Schallkopfs besteht nicht aus endlichen Zahlen einer starren Bewegung; prüfen Sie, woher sie kommt.</translation>
+    </message>
+</context>
 </TS>

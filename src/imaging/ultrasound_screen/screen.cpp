@@ -176,7 +176,7 @@ void UltrasoundScreen::draw_words(Canvas& canvas) const {
   };
   double y = where.y + base_line;
   for (const std::string& line : machine_lines(moment_)) {
-    say(12.0, y, line, y > where.y + base_line ? faint_ink : plain_ink);
+    say(12.0, y, translated(line), y > where.y + base_line ? faint_ink : plain_ink);
     y += line_height;
   }
   for (std::size_t i = 0; i < calipers_.size(); ++i)
@@ -187,9 +187,10 @@ void UltrasoundScreen::draw_words(Canvas& canvas) const {
     say(where.x + 26.0, above, direction_letters(-side), plain_ink);
     say(right - 26.0, above, direction_letters(side), plain_ink, TextAnchor::end);
   }
-  if (frozen_) say(middle, above, "FROZEN", caliper_ink, TextAnchor::middle);
+  if (frozen_) say(middle, above, translated("FROZEN"), caliper_ink, TextAnchor::middle);
   if (frame.why != NoImage::none)
-    say(middle, 0.5 * (where.y + bottom) + 5.0, std::string(reason(frame.why)), warning_ink, TextAnchor::middle);
+    say(middle, 0.5 * (where.y + bottom) + 5.0, translated(std::string(reason(frame.why))), warning_ink,
+        TextAnchor::middle);
 }
 
 std::vector<std::string> machine_lines(const ScanMoment& moment, bool touch) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "imaging/canvas.h"
@@ -41,6 +43,9 @@ class UltrasoundScreen {
   UltrasoundScreen(int width, int height, MarkSide mark);
   // Of another size from now on, at least as large as that.
   void resize(int width, int height);
+  // What is drawn for the screen's own words and lines, such as another language's; empty: they themselves.
+  using Translator = std::function<std::string(const std::string& words)>;
+  void translate_by(Translator translator) { translator_ = std::move(translator); }
 
   // The newest picture; a frozen screen does not take it.
   void take(const ScanMoment& moment);
@@ -82,6 +87,7 @@ class UltrasoundScreen {
   void draw_scale(Canvas& canvas) const;
   void draw_measurements(Canvas& canvas) const;
   void draw_words(Canvas& canvas) const;
+  std::string translated(const std::string& words) const { return translator_ ? translator_(words) : words; }
 
   int width_, height_;
   MarkSide mark_;
@@ -91,6 +97,7 @@ class UltrasoundScreen {
   bool measuring_ = false;
   Eigen::Vector2d first_ = Eigen::Vector2d::Zero();
   std::vector<ImageMarker> markers_;
+  Translator translator_;
 };
 
 // "D 12.0 cm", "G -3 dB" and so on: what a machine says of a moment beside its picture, line by line. `touch`: also

@@ -15,6 +15,8 @@ using namespace bodkin::anatomy;
 using namespace bodkin::imaging;
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -96,6 +98,18 @@ TEST(UltrasoundScreen, frozen_it_keeps_the_frame_while_the_probe_moves) {
   screen.take(moved);
   EXPECT_EQ(screen.moment().pose.translation(), moved.pose.translation());
   EXPECT_NE(screen.compose().pixels, before.pixels);
+}
+
+TEST(UltrasoundScreen, speaks_as_its_translator_does) {
+  UltrasoundScreen screen(640, 480, MarkSide::left);
+  screen.translate_by([](const std::string& words) {
+    return words == "FROZEN" ? std::string("HALT") : words.starts_with("contact") ? std::string("Kontakt") : words;
+  });
+  screen.take(a_moment());
+  screen.freeze(true);
+  const std::string drawn = screen.overlay().svg();
+  EXPECT_THAT(drawn, AllOf(HasSubstr("HALT"), HasSubstr("Kontakt"), HasSubstr("press ")));
+  EXPECT_THAT(drawn, Not(AnyOf(HasSubstr("FROZEN"), HasSubstr("contact"))));
 }
 
 TEST(UltrasoundScreen, the_bright_pixel_is_where_its_place_says) {
