@@ -12,7 +12,8 @@ namespace {
 
 // Pose, tone curve, blur and focal length are those of the whole body, gain and offset of the light of one face; last
 // comes the residual.
-constexpr int of_pose = 6, tone = 6, blur = 7, focal = 8, shared = 9, of_light = 4, residual = shared + of_light;
+constexpr int of_pose = 6, tone_at = 6, blur_at = 7, focal_at = 8, shared = 9, of_light = 4,
+              residual = shared + of_light;
 constexpr double wider = 1.2;            // of the variance, to see how the pattern changes with it
 constexpr double focal_deviation = 0.1;  // before anything is seen: a single marker says nothing
 constexpr double by_chance = 5.0;        // standard deviations
@@ -44,11 +45,11 @@ void add_face(const FacePattern& face, const Pose& place, const std::vector<Patt
     for (int i = 0; i < of_pose; ++i) x[i] = gain * static_cast<double>(row.slope[i]);
     edge_squares += x.head<2>().norm() * left * left;
     edge_weights += x.head<2>().norm();
-    x[tone] = gain * m * (1.0 - m);
-    x[blur] = gain * (static_cast<double>(blurred[same].model) - m) / by_blur;
+    x[tone_at] = gain * m * (1.0 - m);
+    x[blur_at] = gain * (static_cast<double>(blurred[same].model) - m) / by_blur;
     // Another focal length is as if every point lay further from the camera's axis by that share.
     const Vec3 at = place * Vec3(half * u, half * v, 0.0);
-    x[focal] = x.head<3>().dot(to_face * Vec3(at.x(), at.y(), 0.0));
+    x[focal_at] = x.head<3>().dot(to_face * Vec3(at.x(), at.y(), 0.0));
     x.segment<of_light>(shared) << m, m * u, m * v, 1.0;
     x[residual] = left;
     sums += (size < 2.5 * fitted.scale ? 1.0 : 2.5 * fitted.scale / size) * x * x.transpose();
@@ -76,7 +77,7 @@ CameraMisfit camera_misfit(const PatternCamera& camera, const GreyPicture& pictu
   PatternCamera blurred = camera;
   blurred.variance *= wider;
   Normal normal = Normal::Zero();
-  normal(focal, focal) = 1.0 / (focal_deviation * focal_deviation);
+  normal(focal_at, focal_at) = 1.0 / (focal_deviation * focal_deviation);
   Right right = Right::Zero();
   std::vector<PatternRow> rows, rows_blurred;
   for (const FacePattern& face : faces) {
@@ -94,7 +95,7 @@ CameraMisfit camera_misfit(const PatternCamera& camera, const GreyPicture& pictu
   const auto estimate = [&](int which) {
     return Estimate{found[which], std::sqrt(std::max(covariance(which, which), 0.0))};
   };
-  return {estimate(tone), estimate(blur), estimate(focal)};
+  return {estimate(tone_at), estimate(blur_at), estimate(focal_at)};
 }
 
 }  // namespace bodkin::tracking
