@@ -1653,8 +1653,24 @@
         <translation>%1 mm lang</translation>
     </message>
     <message>
-        <source>%1 cranial, %2 to the left</source>
-        <translation>%1 nach kranial, %2 nach links</translation>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 cranial</source>
+        <translation>%1 nach kranial</translation>
+    </message>
+    <message>
+        <source>%1 caudal</source>
+        <translation>%1 nach kaudal</translation>
+    </message>
+    <message>
+        <source>%1 to the left</source>
+        <translation>%1 nach links</translation>
+    </message>
+    <message>
+        <source>%1 to the right</source>
+        <translation>%1 nach rechts</translation>
     </message>
     <message>
         <source>through %1</source>

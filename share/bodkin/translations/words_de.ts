@@ -6912,8 +6912,8 @@
         <translation>Zu %1 bei (%2, %3, %4) wurde kein Weg geplant.</translation>
     </message>
     <message>
-        <source>The path to %1 was planned, %2 mm long, %3 degrees cranial and %4 to the left; nearest: %5.</source>
-        <translation>Der Weg zu %1 wurde geplant, %2 mm lang, %3 Grad nach kranial und %4 nach links; am nächsten: %5.</translation>
+        <source>The path to %1 was planned, %2 mm long, %3 degrees %4 and %5 to the %6; nearest: %7.</source>
+        <translation>Der Weg zu %1 wurde geplant, %2 mm lang, %3 Grad nach %4 und %5 nach %6; am nächsten: %7.</translation>
     </message>
     <message>
         <source>'bodkin case plan' lists others.</source>

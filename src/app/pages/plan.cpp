@@ -310,9 +310,14 @@ void PlanPage::show_plan() {
     const std::string level = model_->level();
     text = html_of(tr("%1 mm long").arg(report->path.length(), 0, 'f', 1), theme.text, true);
     if (!level.empty()) text += html_of(QStringLiteral("  ") + words(level), theme.plan, true);
-    text += QStringLiteral("<br>") +
-            html_of(tr("%1 cranial, %2 to the left").arg(degrees(report->cranial), degrees(report->lateral)),
-                    theme.second);
+    text +=
+        QStringLiteral("<br>") +
+        html_of(
+            tr("%1, %2").arg(
+                (report->cranial < 0.0 ? tr("%1 caudal") : tr("%1 cranial")).arg(degrees(std::abs(report->cranial))),
+                (report->lateral < 0.0 ? tr("%1 to the right") : tr("%1 to the left"))
+                    .arg(degrees(std::abs(report->lateral)))),
+            theme.second);
     text += QStringLiteral("<br>") + html_of(tr("through %1").arg(words(model_->crossed_text())), theme.second);
     std::size_t shown = 0;
     for (const PlanModel::Distance& each : model_->distances()) {

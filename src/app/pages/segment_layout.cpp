@@ -147,6 +147,7 @@ QWidget* SegmentPage::make_panel() {
   list_->setObjectName(QStringLiteral("segment.structures"));
   list_->setAccessibleName(tr("Structures"));
   list_->setToolTip(tr("The structure that is worked on"));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setFocusPolicy(Qt::ClickFocus);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
     if (model_ == nullptr || row < 0) return;

@@ -164,9 +164,10 @@ std::optional<anatomy::NeedlePath> path_to_target(const NewCase& wanted, const a
   }
   const PathReport& best = search.proposals.front();
   notes.push_back(fmt::format(
-      "The path to {} was planned, {:.0f} mm long, {:.0f} degrees cranial and {:.0f} to the left; nearest: {}. "
-      "'bodkin case plan' lists others.",
-      named, best.path.length(), best.cranial, best.lateral, nearest_text(obstacles, best, 3)));
+      "The path to {} was planned, {:.0f} mm long, {:.0f} degrees {} and {:.0f} to the {}; nearest: {}. 'bodkin case "
+      "plan' lists others.",
+      named, best.path.length(), std::abs(best.cranial), best.cranial < 0.0 ? "caudal" : "cranial",
+      std::abs(best.lateral), best.lateral < 0.0 ? "right" : "left", nearest_text(obstacles, best, 3)));
   return best.path;
 }
 
