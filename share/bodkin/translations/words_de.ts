@@ -8696,7 +8696,7 @@
     </message>
 </context>
 <context>
-    <name>Ultrasound screen</name>
+    <name>Words</name>
     <message>
         <source>contact #1 %</source>
         <translation>Kontakt #1 %</translation>
