@@ -35,12 +35,6 @@ class Calming {
   const Shaking& shaking() const noexcept { return shaking_; }
 
  private:
-  double share_ = 1.0;
-  bool damps_ = false;
-  bool watching_ = false;
-  Shaking shaking_;
-  void watch_anew() noexcept;
-
   // The places where a hand has been, mm.
   struct Reach {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
@@ -48,6 +42,12 @@ class Calming {
     double most() const noexcept { return (high - low).maxCoeff(); }  // of an axis
   };
 
+  void watch_anew() noexcept;
+
+  double share_ = 1.0;
+  bool damps_ = false;
+  bool watching_ = false;
+  Shaking shaking_;
   double since_ = 0.0;         // s since the last step
   double for_ = 0.0;           // s in the window
   Vec3 place_ = Vec3::Zero();  // mm from where the last step was taken

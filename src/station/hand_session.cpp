@@ -94,7 +94,7 @@ struct HandSession::Shared {
   // mm, of the tissue at the needle, by breath and by what presses the body.
   Vec3 tissue_motion(const simulation::TickRecord& record) const noexcept {
     const Vec3 tip = record.input.needle.translation();
-    const Vec3 by_body = body == nullptr ? Vec3(Vec3::Zero()) : body->tissue_motion();
+    Vec3 by_body = body == nullptr ? Vec3(Vec3::Zero()) : body->tissue_motion();
     if (!breath) return by_body;
     return by_body + tip - breath->material(tip, record.output.drawn_in);
   }

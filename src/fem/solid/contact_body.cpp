@@ -164,7 +164,7 @@ class ContactBody::Points {
   // mm/N, what the mesh lacks at a point.
   Mat3 gain_of(std::size_t i) const {
     const BodyDescription& body = *body_.body_;
-    const Mat3 regular = shaft_gain_in(body.mesh, body.materials, points_[i].place.element);
+    Mat3 regular = shaft_gain_in(body.mesh, body.materials, points_[i].place.element);
     if (!points_[i].station->resists) return regular;
     const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
     // A disk in held elements moves by nothing else.
