@@ -192,14 +192,18 @@ GuardSettings undamped_of_1_N_mm() {
 // Neither even nor wide, and the energy from turn to turn is hidden by what the spring stores: a spring that answers
 // late drives it.
 TEST(HandGuardShaking, what_is_driven_unevenly_goes_through_the_same_steps) {
-  int late = 0;  // were found after more than that
+  int late = 0;  // found later than usual, by chance of how unevenly they swing
   for (int seed = 1; seed <= 300; ++seed) {
-    const int axis = seed % 3;
+    const int axis = (seed - 1) % 3;
     for (const double hertz : {3.5, 5.0, 8.0, 12.0}) {
       GuardRig rig(undamped_of_1_N_mm());
       const Steps seen = DrivenHand(hertz, static_cast<std::uint64_t>(seed)).steps(rig, axis);
       expect_all_steps(rig, seen, on_axis(axis, hertz) + ", hand " + std::to_string(seed));
-      late += seen.softer > 1.0 + 6.0 / hertz ? 1 : 0;
+      const double usual = 1.0 + 6.0 / hertz;
+      if (seed <= 3) {
+        EXPECT_LE(seen.softer, usual) << on_axis(axis, hertz);
+      }
+      late += seen.softer > usual ? 1 : 0;
     }
   }
   EXPECT_LE(late, 24) << "of 1200";
