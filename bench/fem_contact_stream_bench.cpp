@@ -16,6 +16,7 @@
 #include <benchmark/benchmark.h>
 
 #include "fem/solid/contact_body.h"
+#include "fem/solid/line_points.h"
 
 namespace {
 
@@ -95,6 +96,7 @@ void enter_anywhere(benchmark::State& state) {
   state.counters["factor_MB"] = 1e-6 * static_cast<double>(whole.factor().bytes());
   state.counters["nodes"] = static_cast<double>(body->mesh.nodes.size());
   const Vec3 along = Vec3(0.3, 0.0, -1.0).normalized();
+  const BoundPoints unbound;
   double first = 0.0, all = 0.0, ahead = 0.0, points = 0.0;
   int lines = 0;
   for (auto _ : state) {
@@ -104,7 +106,9 @@ void enter_anywhere(benchmark::State& state) {
     const double asked = thread_time();
     double came = asked;
     bool is_first = true;
-    whole.stream(stations_along(path, length, 1.0, patient), along, 1.0, [&](const ContactPoint& point) {
+    LinePoints line(whole, 1.0, unbound);
+    line.add(stations_along(path, length, 1.0, patient), along);
+    line.stream(0, [&](const ContactPoint& point) {
       came = thread_time();
       if (std::exchange(is_first, false)) first = std::max(first, came - asked);
       ahead = std::max(ahead, came - asked - (point.place - entry).norm() / speed);

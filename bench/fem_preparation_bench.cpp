@@ -2,13 +2,17 @@
 // meshes are boxes of 100 mm. The largest takes half a minute a run and comes only when BODKIN_LARGE_BODIES is set;
 // as many threads as there are cores, or as BODKIN_FEM_THREADS says.
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 
 #include "tests/fem/lattice_body.h"
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include "fem/solid/elastic_body.h"
+#include "fem/solid/factor_cache.h"
 
 namespace {
 
@@ -95,6 +99,22 @@ void field_of_corridor(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(elastic.displacement_by_corridor(forces));
 }
 
+// A body that a needle can enter anywhere: factorised, or with its factor from the file where it was kept.
+void contact_body(benchmark::State& state, bool kept) {
+  const auto body = std::make_shared<const BodyDescription>(box(state));
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("bodkin_bench_" + std::to_string(getpid()) + ".factor");
+  std::size_t bytes = 0;
+  if (kept) contact_body_with_cache(file, body);
+  for (auto _ : state) {
+    const auto whole = contact_body_with_cache(kept ? file : std::filesystem::path(), body);
+    bytes = whole->factor().bytes();
+  }
+  std::filesystem::remove(file);
+  state.counters["nodes"] = static_cast<double>(body->mesh.nodes.size());
+  state.counters["factor_MB"] = static_cast<double>(bytes) * 1e-6;
+}
+
 void sizes(benchmark::internal::Benchmark* bench) {
   bench->Arg(13)->Arg(27)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
   if (std::getenv("BODKIN_LARGE_BODIES") != nullptr) bench->Arg(46);
@@ -106,5 +126,7 @@ BENCHMARK(only_check)->Apply(sizes);
 BENCHMARK(only_plan)->Apply(sizes);
 BENCHMARK(only_factorise)->Apply(sizes);
 BENCHMARK(field_of_corridor)->Apply(sizes);
+BENCHMARK_CAPTURE(contact_body, factorised, false)->Apply(sizes);
+BENCHMARK_CAPTURE(contact_body, from_its_file, true)->Apply(sizes);
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What a needle in a deformable body costs that holds k contact points. The motion is recorded beforehand and the
 // state is warm.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -73,7 +74,7 @@ const CondensedBody& way_of_the_needle() {
   return body;
 }
 
-EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends) {
+EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends, const Eigen::MatrixXd* other = nullptr) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
   EmbeddedNeedleSettings settings;
@@ -81,7 +82,7 @@ EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends) {
   settings.most_nodes = 160;
   std::optional<NeedleBeam> beam;
   if (bends) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
-  EmbeddedNeedle needle(body, tissues, settings, 1e-3, beam);
+  EmbeddedNeedle needle(body, tissues, settings, 1e-3, beam, other);
   needle.begin(Vec3::Zero(), Vec3::UnitZ());
   return needle;
 }
@@ -129,6 +130,29 @@ void needle_tick(benchmark::State& state) {
   state.counters["sticking"] = sticking / static_cast<double>(ticks);
 }
 
+// The slowest tick while a needle in k points goes over to another compliance, since something holds other nodes.
+void changeover_tick(benchmark::State& state) {
+  const CondensedBody& body = way_of_the_needle();
+  const Eigen::MatrixXd stiffer = 0.8 * body.compliance;
+  EmbeddedNeedle contact = needle_on_its_way(body, false, &stiffer);
+  const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
+  for (double tip = -1.0; tip < depth; tip += 0.02) contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
+  const Pose rest = needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ());
+  std::vector<double> slowest;
+  for (auto _ : state) {
+    double most = 0.0;
+    contact.exchange();
+    while (contact.exchanges()) {
+      const double start = processor_time();
+      contact.step(rest);
+      most = std::max(most, processor_time() - start);
+    }
+    if (!contact.exchanged()) state.SkipWithError("the equations were singular");
+    slowest.push_back(most);
+  }
+  report_times(state, std::move(slowest));
+}
+
 // The field for the eyes: a grid of 32^3 points and 2116 points of skin.
 void display_field(benchmark::State& state) {
   constexpr Eigen::Index points = 32 * 32 * 32 + 2116;
@@ -157,6 +181,7 @@ BENCHMARK(needle_tick)
     ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
     ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
     ->Iterations(50000);
+BENCHMARK(changeover_tick)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -7,31 +7,13 @@
 #include <fstream>
 #include <string>
 
-#include <unistd.h>
+#include "fuzz/scratch_file.h"
 
 #include "core/error.h"
 #include "io/nrrd_header.h"
 #include "io/nrrd_reader.h"
 
 namespace {
-
-// Shared memory is a file that costs no disk. Removed when the fuzzer ends.
-class ScratchVolume {
- public:
-  ScratchVolume()
-      : path_(std::string(std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp") +
-              ("/bodkin_nrrd_fuzz_" + std::to_string(getpid()) + ".nrrd")) {}
-  ~ScratchVolume() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  ScratchVolume(const ScratchVolume&) = delete;
-  ScratchVolume& operator=(const ScratchVolume&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 template <typename Voxel>
 void read(const std::string& file) {
@@ -45,7 +27,7 @@ void read(const std::string& file) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const ScratchVolume scratch;
+  static const ScratchFile scratch("volume.nrrd");
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   // What was understood is written as what is understood to be the same.
   if (const auto parsed = bodkin::io::parse_nrrd_header(bytes)) {

@@ -7,18 +7,22 @@
 #include "session/operator_file.h"
 
 #include "core/error.h"
+#include "io/tissue_library_file.h"
 #include "simulation/operator.h"
+#include "simulation/operator_thresholds.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view document(reinterpret_cast<const char*>(data), size);
-  bodkin::simulation::OperatorScript script;
+  static const bodkin::anatomy::Case patient = {.library = bodkin::io::default_tissue_library()};
+  bodkin::simulation::OperatorScript script, known;
   try {
     script = bodkin::session::parse_operator(document, "operator.xml");
+    known = bodkin::simulation::for_patient(script, patient);
   } catch (const bodkin::InputError&) {
     return 0;
   }
   // Whatever is accepted is performed, against a force that comes and goes, and stays finite.
-  bodkin::simulation::Operator actor(script, {{0, 100, 0}, {0, 50, 0}}, 1, 0.001);
+  bodkin::simulation::Operator actor(known, {{0, 100, 0}, {0, 50, 0}}, 1, 0.001);
   bodkin::Pose needle = actor.start();
   for (int tick = 0; tick < 2000; ++tick) {
     needle = actor.step({needle, bodkin::Vec3(0, tick % 500 * 0.01, 0)});

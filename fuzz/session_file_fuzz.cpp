@@ -8,31 +8,13 @@
 #include <span>
 #include <string>
 
+#include "fuzz/scratch_file.h"
 #include "session/session_file.h"
 #include "session/tick_codec.h"
-#include <unistd.h>
 
 #include "core/error.h"
 
 namespace {
-
-// SQLite wants a file; shared memory is one that costs no disk. Removed when the fuzzer ends.
-class ScratchFile {
- public:
-  ScratchFile()
-      : path_(std::string(std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp") +
-              ("/bodkin_session_fuzz_" + std::to_string(getpid()) + ".bodkin")) {}
-  ~ScratchFile() {
-    std::error_code ignored;
-    for (const char* ending : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path_ + ending, ignored);
-  }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 // What lies behind the checksums, which random bytes do not pass.
 void decode(std::span<const std::uint8_t> bytes) {
@@ -60,7 +42,7 @@ void decode(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const ScratchFile scratch;
+  static const ScratchFile scratch("session.bodkin");
   decode({data, size});
   std::ofstream(scratch.path(), std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));

@@ -21,7 +21,7 @@ constexpr double least_pivot =
 
 ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
                              const std::optional<NeedleBeam>& beam)
-    : compliance_(compliance),
+    : compliance_(&compliance),
       beam_(beam),
       most_rows_(3 * most_nodes),
       stride_(upper_triangular::padded(3 * most_nodes)) {
@@ -64,7 +64,7 @@ void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
   const double depth = row_of_[first].depth;
   const double bent = beam_ && depth >= 0.0 ? beam_->flexibility(depth, depth) : 0.0;
   for (std::size_t a = 0; a < count; ++a) {
-    const Vec3 moved = compliance_.block<3, 3>(node, node) * row_of_[first + a].direction;
+    const Vec3 moved = compliance_->block<3, 3>(node, node) * row_of_[first + a].direction;
     const double* left = scratch_.data() + a * stride_;
     for (std::size_t b = 0; b <= a; ++b) {
       const double* right = scratch_.data() + b * stride_;
@@ -101,7 +101,7 @@ bool ContactFactor::finish(std::size_t first, std::size_t count, double complian
 
 bool ContactFactor::fits(std::uint32_t node, std::size_t count, double compliance) const noexcept {
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  return count > 0 && rows_ + count <= most_rows_ && place + 3 <= compliance_.rows() && compliance >= 0.0;
+  return count > 0 && rows_ + count <= most_rows_ && place + 3 <= compliance_->rows() && compliance >= 0.0;
 }
 
 bool ContactFactor::append(std::uint32_t node, const ConstraintDirections& directions, double compliance,
@@ -119,10 +119,10 @@ bool ContactFactor::append(std::uint32_t node, const ConstraintDirections& direc
   for (std::size_t i = 0; i < rows_; ++i) {
     if (i + prefetched < rows_) {  // the compliance is scattered over much memory
       const auto later = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i + prefetched].node);
-      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&compliance_(later, place + a));
+      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&(*compliance_)(later, place + a));
     }
     const auto at = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[i].node);
-    Vec3 moved = compliance_.block<3, 3>(at, place).transpose() * row_of_[i].direction;
+    Vec3 moved = compliance_->block<3, 3>(at, place).transpose() * row_of_[i].direction;
     if (bends && row_of_[i].depth >= 0.0) moved += beam_->flexibility(row_of_[i].depth, depth) * row_of_[i].direction;
     for (std::size_t a = 0; a < count; ++a) {
       columns[a * stride_ + i] = moved.dot(directions.col(static_cast<Eigen::Index>(a)));

@@ -90,7 +90,7 @@ class ContactFactor {
   bool finish(std::size_t first, std::size_t count, double compliance) noexcept;
   void find_corner(std::size_t first, std::size_t count) noexcept;
 
-  const Eigen::MatrixXd& compliance_;
+  const Eigen::MatrixXd* compliance_;
   std::optional<NeedleBeam> beam_;
   std::size_t most_rows_;
   std::size_t stride_;                   // of U, a multiple of 8

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double contact_point_reach = 5.0;   // mm, between the line of contact points and the needle's
 constexpr double contact_point_before = 1.5;  // mm, before the entry
+constexpr double least_step = 1e-3;           // mm, from point to point of a line that has turned aside
 
 }  // namespace
 
@@ -48,9 +49,16 @@ bool ContactNodes::grow(std::size_t known, const ContactTissues& tissues) noexce
   const std::size_t end = std::min(known, body_.nodes.size()), before = grown_;
   for (; grown_ < end; ++grown_) {
     const double depth = std::max(0.0, (body_.nodes[grown_] - entry_).dot(direction_));
-    append(static_cast<std::uint32_t>(grown_), depth, tissues);
+    const double last = count_ == 0 ? 0.0 : nodes_[count_ - 1].depth;
+    append(static_cast<std::uint32_t>(grown_), depth < last ? last + least_step : depth, tissues);
   }
   return grown_ > before;
+}
+
+void ContactNodes::keep_first(std::size_t count) noexcept {
+  if (count >= count_) return;
+  count_ = grown_ = count;
+  if (count_ > 0) nodes_[count_ - 1].length = std::numeric_limits<double>::infinity();
 }
 
 }  // namespace bodkin::fem

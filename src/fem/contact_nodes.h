@@ -31,6 +31,8 @@ class ContactNodes {
   void begin_growing(const Vec3& entry, const Vec3& direction) noexcept;
   // The first `known` points of the body are there now. True when some of them are new.
   bool grow(std::size_t known, const ContactTissues& tissues) noexcept;
+  // Removes those behind the first `count`, of a line that grow() appended to.
+  void keep_first(std::size_t count) noexcept;
   void clear() noexcept { count_ = 0; }
 
   std::span<const ContactNode> along() const noexcept { return {nodes_.data(), count_}; }

@@ -48,13 +48,15 @@ void add_columns(const std::array<const float*, columns_at_once>& columns, const
 
 }  // namespace
 
-DisplayField::DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all)
+DisplayField::DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all,
+                           std::size_t spare)
     : points_(points),
-      nodes_(nodes.size()),
+      nodes_(nodes.size() + spare),
       strips_((3 * points + longest_strip - 1) / longest_strip),
       strip_length_(strips_ == 0 ? 0 : (3 * points / strips_ + 16) / 16 * 16),
       columns_((strips_ * strip_length_ * 3 * nodes_ + 1) / 2),
-      places_(all, none) {
+      places_(all, none),
+      spare_(spare, none) {
   for (std::uint32_t place = 0; place < nodes.size(); ++place) {
     if (nodes[place] >= all || places_[nodes[place]] != none) {
       throw InputError("display field: node " + std::to_string(nodes[place]) +
@@ -83,6 +85,26 @@ void DisplayField::set_column(std::size_t index, std::span<const float> column) 
     std::copy_n(column.data() + from, std::min(strip_length_, column.size() - from),
                 columns_.singles() + (strip * 3 * nodes_ + index) * strip_length_);
   }
+}
+
+void DisplayField::take(std::size_t which, std::uint32_t node, const Eigen::Ref<const Eigen::MatrixXf>& columns) {
+  if (spare_[which] != none) places_[spare_[which]] = none;
+  spare_[which] = node;
+  const std::size_t place = nodes_ - spare_.size() + which;
+  places_[node] = static_cast<std::uint32_t>(place);
+  for (Eigen::Index c = 0; c < 3; ++c)
+    set_column(3 * place + static_cast<std::size_t>(c), {columns.col(c).data(), 3 * points_});
+}
+
+Mat3 DisplayField::between(std::size_t point, std::uint32_t node) const noexcept {
+  Mat3 found;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * point + row;
+      found(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c)) =
+          static_cast<double>(piece(at / strip_length_, 3 * std::size_t{places_[node]} + c)[at % strip_length_]);
+    }
+  return found;
 }
 
 void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry.h"
 #include "fem/node_forces.h"
 #include "fem/zero_pages.h"
 
@@ -22,14 +23,24 @@ class DisplayField {
   explicit DisplayField(const Eigen::MatrixXf& columns);
   // The same of some nodes only: 3 columns for each of `nodes` (each once), whose names are below `all`.
   DisplayField(const Eigen::MatrixXf& columns, const std::vector<std::uint32_t>& nodes, std::size_t all);
-  // The same with columns that are zero until set_column().
-  DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all);
+  // The same with columns that are zero until set_column(), and room for `spare` nodes more (take()).
+  DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all, std::size_t spare = 0);
 
   // Column `index`, 0 to 3 x nodes() - 1; 3 x points() values. Not in parallel with evaluate().
   void set_column(std::size_t index, std::span<const float> column) noexcept;
+  // The spare place `which`, below spare(), has the three columns of `node` from now on, and no longer those of the
+  // node that it had. Not in parallel with evaluate().
+  void take(std::size_t which, std::uint32_t node, const Eigen::Ref<const Eigen::MatrixXf>& columns);
+  // The node must be one of the `all`, and have no columns yet where take() gives it some.
+  bool knows(std::uint32_t node) const noexcept { return place_of(node) != none; }
+  std::size_t all() const noexcept { return places_.size(); }
+  // mm/N: how a point moves by unit forces on a node that is known.
+  Mat3 between(std::size_t point, std::uint32_t node) const noexcept;
 
   std::size_t points() const noexcept { return points_; }
+  // That have columns, or a spare place for them.
   std::size_t nodes() const noexcept { return nodes_; }
+  std::size_t spare() const noexcept { return spare_.size(); }
 
   // mm, 3 x points() values, all of them written; forces on nodes without columns count nothing. Never throws,
   // allocates or locks; several threads may call it at once.
@@ -49,6 +60,7 @@ class DisplayField {
   std::size_t strips_, strip_length_;
   ZeroPages columns_;                  // strip by strip, in each all columns
   std::vector<std::uint32_t> places_;  // by node: where its columns are, or none
+  std::vector<std::uint32_t> spare_;   // by spare place, the last ones: its node, or none
 };
 
 }  // namespace bodkin::fem

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <Eigen/Geometry>
+
 #include "core/error.h"
 #include "fem/upper_triangular.h"
 
@@ -43,7 +45,7 @@ std::size_t checked_room(const anatomy::EmbeddedNeedleSettings& settings) {
 
 EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
                                const anatomy::EmbeddedNeedleSettings& settings, double dt,
-                               const std::optional<NeedleBeam>& beam)
+                               const std::optional<NeedleBeam>& beam, const Eigen::MatrixXd* other)
     : body_(checked_body(body)),
       tissues_(tissues),
       settings_(settings),
@@ -51,6 +53,7 @@ EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const Contact
       beam_(beam),
       contact_nodes_(body),
       constraints_(body.compliance, checked_room(settings), beam_),
+      other_(other == nullptr ? nullptr : std::make_unique<ShaftConstraints>(*other, settings.most_nodes, beam_)),
       contacts_(settings.most_nodes + 1),
       displacements_(upper_triangular::padded(3 * settings.most_nodes + 3), 0.0),
       forces_(3 * settings.most_nodes + 3, 0.0),
@@ -117,11 +120,28 @@ bool EmbeddedNeedle::move_with(std::span<const float> of_mesh, const BodyBreath&
   return moves_;
 }
 
-Vec3 EmbeddedNeedle::carried_along_shaft() const noexcept {
+Pose EmbeddedNeedle::carried_along_shaft() const noexcept {
+  Pose motion = Pose::Identity();
+  if (!begun_ || captured_ == 0 || !moves_) return motion;
+  const auto count = static_cast<double>(captured_);
+  double middle = 0.0;  // mm, depth
+  Vec3 moved = Vec3::Zero();
+  for (std::size_t i = 0; i < captured_; ++i) {
+    middle += line()[i].depth / count;
+    moved += carried_[line()[i].index] / count;
+  }
+  // Points at s from their middle: of all lines that along the sum of s x is nearest to them.
+  const Vec3 along = frame_.col(0);
   Vec3 sum = Vec3::Zero();
-  if (!begun_ || captured_ == 0) return sum;
-  for (std::size_t i = 0; i < captured_; ++i) sum += carried_[line()[i].index];
-  return sum / static_cast<double>(captured_);
+  for (std::size_t i = 0; i < captured_; ++i) {
+    const double from_middle = line()[i].depth - middle;
+    sum += from_middle * (from_middle * along + carried_[line()[i].index]);
+  }
+  if (sum.dot(along) > least_cosine * sum.norm())
+    motion.linear() = Eigen::Quaterniond::FromTwoVectors(along, sum).toRotationMatrix();
+  const Vec3 place = entry_ + middle * along;
+  motion.translation() = place + moved - motion.linear() * place;
+  return motion;
 }
 
 void EmbeddedNeedle::open(const Vec3& place, anatomy::TissueId tissue) noexcept {
@@ -158,6 +178,12 @@ void EmbeddedNeedle::extend(std::size_t points, bool complete) noexcept {
   provisional_ = 0.0;
 }
 
+void EmbeddedNeedle::keep_first(std::size_t points) noexcept {
+  contact_nodes_.keep_first(std::max(points, constraints_.known()));
+  placed_ = std::min(placed_, line().size());
+  std::fill(punctured_.begin() + static_cast<std::ptrdiff_t>(line().size()), punctured_.end(), std::uint8_t{0});
+}
+
 // N, of a surface whose contact point is not there yet. Where there is none at all it fades.
 double EmbeddedNeedle::provisional_force() noexcept {
   if (!line().empty() || !(surface_.compliance > 0.0)) return 0.0;
@@ -179,6 +205,7 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   surface_ = {};
   captured_ = placed_ = 0;
   moves_ = false;
+  exchanging_ = false;
   begun_ = fresh_ = true;
   force_ = {};
   published_.count = 0;
@@ -218,14 +245,13 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
   const Vec3 moved = displacement(index);
   if (index > 0 && contacts_[index - 1].lateral_compliance != 0.0) set_lateral_compliance(0.0);
   if (!constraints_.push(node.index, node.depth)) return false;
-  const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node.index);
-  const Mat3 own = frame_.transpose() * body_.compliance.block<3, 3>(place, place) * frame_;
+  const ShaftCompliance& compliance = constraints_.compliance();
   contact = {};
-  contact.own_compliance = 0.5 * (own(1, 1) + own(2, 2));
+  contact.own_compliance = 0.5 * (compliance.row(index, 1)[3 * index + 1] + compliance.row(index, 2)[3 * index + 2]);
   contact.full_capture_length = std::min(node.length, settings_.capture_radius);
   contact.moved = moved(0);
   contact.slip = tip_ - moved(0);
-  contact.anchor = shaft_offset(node.depth) - moved.tail<2>();
+  contact.anchor = shaft_offset(index) - moved.tail<2>();
   captured_ = index + 1;
   if (blocked()) add_next_before_tip();
   return true;
@@ -259,7 +285,7 @@ void EmbeddedNeedle::set_lateral_compliance(double lateral_compliance) noexcept 
     const Eigen::Vector2d force(forces_[3 * captured_ - 2], forces_[3 * captured_ - 1]);
     if (contact.lateral_compliance < 0.0) {
       const Vec3 moved = displacement(captured_ - 1);
-      contact.anchor = shaft_offset(line()[captured_ - 1].depth) - moved.tail<2>();
+      contact.anchor = shaft_offset(captured_ - 1) - moved.tail<2>();
     } else if (lateral_compliance < contact.lateral_compliance) {
       contact.anchor += (contact.lateral_compliance - lateral_compliance) * force;
     }
@@ -349,6 +375,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
   }
   if (begun_) {
+    if (exchanging_) prepare_exchange();
     if (fresh_ && !line().empty()) place_tip_contact(carried(0)(0));
     fresh_ = false;
     release_withdrawn();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,10 +82,11 @@ class EmbeddedNeedle {
  public:
   // `body` is kept by reference and must outlive this. Throws InputError for settings or tissues out of range, or if
   // the body's arrays differ in size. `dt`: s, 1e-6 to 0.1. `beam`: none for a rigid needle. The settings' own
-  // `bending` and `body` are not read here: they say how a case sets up beam and body.
+  // `bending` and `body` are not read here: they say how a case sets up beam and body. `other`: for exchange(), of
+  // the size of the body's compliance and kept by reference as well; may be null.
   EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
                  const anatomy::EmbeddedNeedleSettings& settings, double dt,
-                 const std::optional<NeedleBeam>& beam = {});
+                 const std::optional<NeedleBeam>& beam = {}, const Eigen::MatrixXd* other = nullptr);
 
   // Starts an insertion: the needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -94,12 +96,34 @@ class EmbeddedNeedle {
   void begin_growing(const Vec3& entry, const Vec3& direction, const ProvisionalSurface& surface = {}) noexcept;
   // Before a tick: the first `points` of the body are there now; `complete`: no more will come.
   void extend(std::size_t points, bool complete = false) noexcept;
+  // Where a needle has turned: forgets the points behind the first `points`, which are at least those that it has
+  // reached(), so that extend() adds others.
+  void keep_first(std::size_t points) noexcept;
+  // Before a tick: the body's points have the other compliance now, because something holds other nodes of the mesh
+  // (ContactLine::couple). The needle prepares it a few points in a tick; then it takes it over in one tick, in which
+  // nothing moves and no force changes, and what the needle's forces do otherwise from then on comes within some
+  // hundredths of a second (move_with). The next exchange() is back to the compliance before.
+  void exchange() noexcept;
+  bool exchanges() const noexcept { return exchanging_; }
+  // Whether the last exchange() has come to its end; not where the equations would have been singular.
+  bool exchanged() const noexcept { return exchanged_; }
+  // Points that the needle has on its shaft or pushes on.
+  std::size_t reached() const noexcept { return constraints_.known(); }
+  // Where the needle would go on from here, as of the last tick: the place at rest (mm, LPS) of the tissue that its
+  // tip touches, or of the border that it pushes on, and the direction of its tip, a unit vector.
+  struct Ahead {
+    Vec3 place = Vec3::Zero();
+    Vec3 direction = Vec3::UnitZ();
+  };
+  Ahead ahead() const noexcept;
   // Before a tick: the body moves by itself, pressed by a probe for example, or as its patient breathes. `of_mesh`:
   // mm, 3 per node of its mesh; fewer: it stands still. The tissue at the needle goes there within some hundredths of
   // a second, and takes the needle along or moves along it. Whether any point moves at all.
   bool move_with(std::span<const float> of_mesh, const BodyBreath& breath = {}) noexcept;
-  // mm, LPS: by which the body has moved by itself at the contact points on the shaft, their mean; 0 without any.
-  Vec3 carried_along_shaft() const noexcept;
+  // How the body has moved by itself along the shaft: the motion of a straight line that is nearest to that of the
+  // contact points on it, by the sum of squared distances, without a turn about the line (LPS, mm). None without a
+  // point; no turn with one.
+  Pose carried_along_shaft() const noexcept;
   // Adds a puncture: the points within 1 mm of it in the same tissue are open.
   void open(const Vec3& place, anatomy::TissueId tissue) noexcept;
   // mm, of the points that extend() added, in their order; negative for one that is not there.
@@ -145,10 +169,13 @@ class EmbeddedNeedle {
   std::span<const ContactNode> line() const noexcept { return contact_nodes_.along(); }
   Eigen::Vector2d axis_offset(double depth) const noexcept { return offset_ + slope_ * (depth - tip_); }
   Eigen::Vector2d beam_deflection(double from_hub) const noexcept;
-  Eigen::Vector2d shaft_offset(double depth) const noexcept {
-    return axis_offset(depth) + beam_deflection(root_.outside + depth);
+  // mm, across: of the shaft where a node of the line lies now.
+  Eigen::Vector2d shaft_offset(std::size_t index) const noexcept {
+    return axis_offset(depth_now(index)) + beam_deflection(root_.outside + line()[index].depth);
   }
   void start(const Vec3& entry, const Vec3& direction) noexcept;
+  void prepare_exchange() noexcept;
+  void take_exchanged() noexcept;
   double provisional_force() noexcept;
   double material_depth() const noexcept;
   double opened_depth() const noexcept;
@@ -189,6 +216,8 @@ class EmbeddedNeedle {
   std::optional<NeedleBeam> beam_;
   ContactNodes contact_nodes_;
   ShaftConstraints constraints_;
+  std::unique_ptr<ShaftConstraints> other_;  // with the other compliance; null: there is none
+  bool exchanging_ = false, exchanged_ = false;
   std::vector<NodeContact> contacts_;    // most_nodes + 1: the shaft's nodes and the one in front of the tip
   std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
   std::vector<double> forces_;           // 3 x (most_nodes + 1), N on the tissue: along, across, across

@@ -23,7 +23,7 @@ void EmbeddedNeedle::place() noexcept {
     const Vec3 by_itself = carried(i);
     d[3 * i] = tip_ - contacts_[i].slip - by_itself(0);
     Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) =
-        axis_offset(line()[i].depth) - contacts_[i].anchor - by_itself.tail<2>();
+        axis_offset(depth_now(i)) - contacts_[i].anchor - by_itself.tail<2>();
   }
   constraints_.place(displacements_, root_);
 }

@@ -19,6 +19,20 @@ double EmbeddedNeedle::material_depth() const noexcept {
   return blocked() ? std::min(here, line()[captured_].depth) : here;
 }
 
+// The tissue at the tip has moved aside with the needle by as much as at the last point of the shaft.
+EmbeddedNeedle::Ahead EmbeddedNeedle::ahead() const noexcept {
+  Eigen::Vector2d slope = slope_, place = axis_offset(tip_);
+  if (beam_) {
+    const Eigen::Vector2d bent = beam_deflection(root_.outside + tip_);
+    place += bent;
+    slope += bent - beam_deflection(root_.outside + tip_ - 1.0);
+  }
+  const Vec3 direction = (frame_ * Vec3(1.0, slope(0), slope(1))).normalized();
+  if (constraints_.known() > captured_) return {body_.nodes[line()[captured_].index], direction};
+  if (captured_ > 0) place -= displacement(captured_ - 1).tail<2>();
+  return {entry_ + frame_ * Vec3(material_depth(), place(0), place(1)), direction};
+}
+
 double EmbeddedNeedle::opened_depth() const noexcept {
   for (std::size_t i = captured_; i > 0; --i)
     if (line()[i - 1].resists) return line()[i - 1].depth;

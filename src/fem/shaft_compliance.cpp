@@ -13,7 +13,7 @@ constexpr std::size_t nodes_ahead = 8;  // whose blocks are asked for while earl
 }  // namespace
 
 ShaftCompliance::ShaftCompliance(const Eigen::MatrixXd& compliance, std::size_t most_nodes)
-    : compliance_(compliance),
+    : compliance_(&compliance),
       most_nodes_(most_nodes),
       stride_(upper_triangular::padded(3 * most_nodes)),
       rows_(3 * most_nodes * stride_, 0.0),
@@ -26,7 +26,7 @@ void ShaftCompliance::begin(const Mat3& frame) noexcept {
 
 bool ShaftCompliance::push(std::uint32_t node) noexcept {
   const auto place = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(node);
-  if (count_ == most_nodes_ || place + 3 > compliance_.rows()) return false;
+  if (count_ == most_nodes_ || place + 3 > compliance_->rows()) return false;
   const std::size_t added = count_++;
   nodes_[added] = node;
   const auto at = [this](std::size_t i) {
@@ -34,10 +34,10 @@ bool ShaftCompliance::push(std::uint32_t node) noexcept {
   };
   for (std::size_t i = 0; i <= added; ++i) {
     if (i + nodes_ahead <= added) {
-      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&compliance_(at(i + nodes_ahead), place + a));
+      for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&(*compliance_)(at(i + nodes_ahead), place + a));
     }
     // Of i by forces at `added`; turned over, of `added` by forces at i.
-    const Mat3 between = frame_.transpose() * compliance_.block<3, 3>(at(i), place) * frame_;
+    const Mat3 between = frame_.transpose() * compliance_->block<3, 3>(at(i), place) * frame_;
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t d = 0; d < 3; ++d) {
         rows_[(3 * added + c) * stride_ + 3 * i + d] =

@@ -39,7 +39,7 @@ class ShaftCompliance {
   void displace(std::span<const double> forces, std::span<double> displacements) const noexcept;
 
  private:
-  const Eigen::MatrixXd& compliance_;
+  const Eigen::MatrixXd* compliance_;
   std::size_t most_nodes_, stride_;
   std::vector<double> rows_;          // 3 most_nodes x stride_
   std::vector<std::uint32_t> nodes_;  // most_nodes

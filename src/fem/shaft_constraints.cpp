@@ -149,15 +149,15 @@ bool ShaftConstraints::push(std::uint32_t node, double depth) noexcept {
 
 void ShaftConstraints::pop() noexcept {
   if (count_ == 0) return;
-  if (count_ > 1) {  // first, since T is factorised anew after that, and releasing a node then costs nothing
-    along_.pop_rows();
-    across_.remove_last();
-  }
   if (known() > count_) {
     along_.pop_node();
     compliance_.pop();
   }
   along_.release(count_ - 1);
+  if (count_ > 1) {  // last: what has been released need not be updated
+    along_.pop_rows();
+    across_.remove_last();
+  }
   --count_;
   last_compliance_ = count_ > 0 ? 0.0 : -1.0;
   border_valid_ = false;

@@ -19,8 +19,8 @@ namespace bodkin::fem {
 //
 // Columns and pairs of rows are added and removed at the end. Sigma is kept for every number of rows, so removing
 // rows restores the former numbers to the bit and rounding errors do not accumulate; this takes 8/3 n^3 bytes for n
-// nodes (12 MB for 160). T is factorised anew after rows have been added or removed. All memory is allocated by the
-// constructor; no other function throws, allocates or locks.
+// nodes (12 MB for 160). T follows by a rank-two update where many nodes stick, and is otherwise factorised anew, as
+// it is after some updates. All memory is allocated by the constructor; no other function throws, allocates or locks.
 class ShaftSchurComplement {
  public:
   // `most_nodes`: capacity; there may be two nodes more than pairs of rows. `always`: as above.
@@ -58,7 +58,8 @@ class ShaftSchurComplement {
   bool sticks(std::size_t node) const noexcept { return sticks_[node] != 0; }
   // Cost of releasing a node in stiction: how many numbers of T have to be rotated.
   std::size_t release_cost(std::size_t node) const noexcept;
-  // Brings T up to date after rows have been added or removed. Returns whether T has changed since the last call.
+  // Brings T up to date after rows have been added or removed, or nodes made to stick. Returns whether T has changed
+  // since the last call.
   bool refresh() noexcept;
   // The nodes in stiction, in the order of T's rows.
   std::span<const std::uint32_t> sticking() const noexcept { return {order_.data(), sticking_}; }
@@ -76,6 +77,7 @@ class ShaftSchurComplement {
   std::size_t level_stride(std::size_t level) const noexcept;
   bool add_column(std::size_t node) noexcept;
   void factorise() noexcept;
+  void update_factor(bool rows_added) noexcept;
   std::size_t row_of(std::size_t node) const noexcept;
 
   std::size_t always_, stride_;
@@ -84,14 +86,15 @@ class ShaftSchurComplement {
   std::vector<std::size_t> level_at_;    // by level: where its Sigma begins
   std::vector<double> own_;              // by node: its diagonal entry of A_aa
   std::vector<double> triangle_;         // T, stride_ x stride_
-  std::vector<double> scratch_;          // stride_
+  std::vector<double> scratch_;          // 2 x stride_
   std::vector<double> least_;            // by row of T: least pivot
   std::vector<const double*> gathered_;  // rows to be added together
   std::vector<double> factors_;          // of gathered_
   std::vector<std::uint32_t> order_;     // by row of T: its node
   std::vector<std::uint8_t> sticks_;     // by node
   std::size_t columns_ = 0, level_ = 0, sticking_ = 0;
-  bool stale_ = false;   // rows have changed since T was factorised
+  int updates_ = 0;      // of T since it was factorised
+  bool stale_ = false;   // T is not that of these rows and nodes
   bool changed_ = true;  // T has changed since the last refresh()
 };
 

@@ -59,6 +59,20 @@ BODKIN_LANES_INLINE void subtract_above(double* rows, const double* above, std::
   }
 }
 
+// turn(row[j], a[j], b[j]) for `count` numbers.
+template <typename Turn>
+BODKIN_LANES_INLINE void turn_all(double* row, double* a, double* b, std::size_t count, const Turn& turn) noexcept {
+  std::size_t j = 0;
+  for (; j + lane_count <= count; j += lane_count) {
+    Lanes here = *lanes_at(row + j), by_a = *lanes_at(a + j), by_b = *lanes_at(b + j);
+    turn(here, by_a, by_b);
+    *lanes_at(row + j) = here;
+    *lanes_at(a + j) = by_a;
+    *lanes_at(b + j) = by_b;
+  }
+  for (; j < count; ++j) turn(row[j], a[j], b[j]);
+}
+
 }  // namespace
 
 BODKIN_PROCESSOR_CLONES
@@ -150,6 +164,47 @@ std::size_t factorise(double* numbers, std::size_t stride, std::size_t rows, con
     }
   }
   return rows;
+}
+
+BODKIN_PROCESSOR_CLONES
+void add_squares_to_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b) noexcept {
+  for (std::size_t r = 0; r < rows; ++r) {
+    double* const row = numbers + r * (stride + 1);
+    const double first = std::sqrt(row[0] * row[0] + a[r] * a[r]);
+    const double cosine_a = row[0] / first, sine_a = a[r] / first;
+    const double pivot = std::sqrt(first * first + b[r] * b[r]);
+    const double cosine_b = first / pivot, sine_b = b[r] / pivot;
+    row[0] = pivot;
+    const auto turn = [&](auto& here, auto& by_a, auto& by_b) {
+      const auto between = here * cosine_a + by_a * sine_a;
+      by_a = by_a * cosine_a - here * sine_a;
+      here = between * cosine_b + by_b * sine_b;
+      by_b = by_b * cosine_b - between * sine_b;
+    };
+    turn_all(row + 1, a + r + 1, b + r + 1, rows - r - 1, turn);
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+bool subtract_squares_from_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b,
+                                  const double* least) noexcept {
+  for (std::size_t r = 0; r < rows; ++r) {
+    double* const row = numbers + r * (stride + 1);
+    const double left = row[0] * row[0] - a[r] * a[r], pivot = left - b[r] * b[r];
+    if (!(pivot > least[r]) || !std::isfinite(pivot)) return false;
+    const double first = std::sqrt(left), second = std::sqrt(pivot);
+    const double sine_a = a[r] / row[0], cosine_a = first / row[0], stretch_a = row[0] / first;
+    const double sine_b = b[r] / first, cosine_b = second / first, stretch_b = first / second;
+    row[0] = second;
+    const auto turn = [&](auto& here, auto& by_a, auto& by_b) {
+      const auto between = (here - by_a * sine_a) * stretch_a;
+      by_a = by_a * cosine_a - between * sine_a;
+      here = (between - by_b * sine_b) * stretch_b;
+      by_b = by_b * cosine_b - here * sine_b;
+    };
+    turn_all(row + 1, a + r + 1, b + r + 1, rows - r - 1, turn);
+  }
+  return true;
 }
 
 BODKIN_PROCESSOR_CLONES

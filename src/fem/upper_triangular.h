@@ -33,6 +33,13 @@ void rotate(const double* from, double* other, double* to, std::size_t count) no
 // `rows` after success.
 std::size_t factorise(double* numbers, std::size_t stride, std::size_t rows, const double* least) noexcept;
 
+// U^T U := U^T U + a a^T + b b^T, `rows` numbers each, by Givens rotations. a and b are used up.
+void add_squares_to_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b) noexcept;
+// U^T U := U^T U - a a^T - b b^T, by hyperbolic rotations in their mixed form, which is stable (Chambers 1971). Stops
+// at the first row whose pivot is not finite or not above least[r], and returns false; U is then undefined.
+bool subtract_squares_from_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b,
+                                  const double* least) noexcept;
+
 // Sum of a[j] b[j] over `count` numbers.
 double product(const double* a, const double* b, std::size_t count) noexcept;
 // values[j] += sum over r of factors[r] rows[r][j], for `count` rows and j < padded(columns).

@@ -41,7 +41,9 @@ enum class EventKind : std::uint8_t {
   pressure_read,    // the column in the manometer has settled; value = its height, mm of fluid
   fluid_collected,  // each whole millilitre, and when the drip ends; value = collected in this insertion, mm^3
   hand_lost,        // of a tracked hand: it is not seen any more, and the needle rests where it was; value = 0
-  hand_seen         // it is seen again, and the needle is where it is; value = s for which it was not
+  hand_seen,        // it is seen again, and the needle is where it is; value = s for which it was not
+  points_coupled    // the needle's points are those of a body of which a probe holds other nodes than before; value =
+                    // how many it holds
 };
 
 struct Event {

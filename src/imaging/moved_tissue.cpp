@@ -65,6 +65,35 @@ Vec3 MovedTissue::at_rest(const Vec3& place) const {
   return rest_place(place, [this](const Vec3& at) { return of(at); });
 }
 
+RestOffsets MovedTissue::rest_offsets() const {
+  RestOffsets made{lattice_, {}};
+  made.offsets.reserve(displacements_.size());
+  for (const Vec3& point : lattice_.points()) {
+    const Vec3 offset = at_rest(point) - point;
+    for (const double part : offset) made.offsets.push_back(static_cast<float>(part));
+  }
+  return made;
+}
+
+MovedTissue MovedTissue::plus(const MovedTissue& other) const {
+  std::vector<float> sum = displacements_;
+  std::size_t next = 0;
+  for (const Vec3& point : lattice_.points()) {
+    for (const double part : other.of(point)) sum[next++] += static_cast<float>(part);
+  }
+  return {lattice_, std::move(sum)};
+}
+
+double MovedTissue::most_difference(const MovedTissue& other) const {
+  if (lattice_.corner != other.lattice_.corner || lattice_.spacing != other.lattice_.spacing ||
+      lattice_.size != other.lattice_.size)
+    return std::numeric_limits<double>::infinity();
+  float most = 0.0F;
+  for (std::size_t i = 0; i < displacements_.size(); ++i)
+    most = std::max(most, std::abs(displacements_[i] - other.displacements_[i]));
+  return static_cast<double>(most);
+}
+
 Slice cut_moved(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
                 const MovedTissue& moved) {
   Slice slice;

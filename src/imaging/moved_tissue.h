@@ -1,21 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "imaging/rest_offsets.h"
 #include "imaging/slice.h"
 
 namespace bodkin::imaging {
-
-// Points on a lattice along the patient's axes.
-struct PointLattice {
-  Vec3 corner = Vec3::Zero();           // LPS mm, the point with the least coordinates
-  double spacing = 5.0;                 // mm
-  std::array<int, 3> size = {0, 0, 0};  // points along x, y and z
-
-  // LPS mm of all, x fastest.
-  std::vector<Vec3> points() const;
-};
 
 // The lattice around a box, `spacing` mm apart or as much more as it takes for no more than `most` points.
 PointLattice lattice_around(const PatientBox& box, double spacing, int most);
@@ -32,6 +22,12 @@ class MovedTissue {
   // LPS mm, where what now is at `place` lies when nothing moves it. Where tissue is crushed to less than half its
   // thickness it is the best that iteration gives.
   Vec3 at_rest(const Vec3& place) const;
+  // The same at every point of its lattice.
+  RestOffsets rest_offsets() const;
+  // Moved as both say, on this one's lattice.
+  MovedTissue plus(const MovedTissue& other) const;
+  // mm, by which a point of the lattice has moved otherwise than in `other` at most; of another lattice: infinite.
+  double most_difference(const MovedTissue& other) const;
 
  private:
   PointLattice lattice_;

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "fem/solid/condensed_cache.h"
+#include "fem/solid/factor_cache.h"
 #include "fem/solid/patient_body.h"
 
 namespace bodkin::patient {
@@ -31,14 +32,12 @@ anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Ca
   return body.contact_points(stations, path.direction(), settings.tip_radius, 0, body.bind(patient.left_needles, {}));
 }
 
-// Checks the body first, as fem::condense() does.
-std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription& body, const Progress& progress,
+// `cache`: empty for none.
+std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription& body,
+                                                     const std::filesystem::path& cache, const Progress& progress,
                                                      const std::function<void(const std::string&)>& note) {
-  for (const std::string& warning : fem::check_body(body)) {
-    if (note) note(warning);
-  }
-  auto whole = std::make_shared<const fem::ContactBody>(std::make_shared<const fem::BodyDescription>(body),
-                                                        fem::FactorOptions{}, progress);
+  const auto shared = std::make_shared<const fem::BodyDescription>(body);
+  auto whole = fem::contact_body_with_cache(cache, shared, progress, note);
   if (note) {
     note(fmt::format("the needle meets points of its line in a body of {} nodes, whose factor takes {:.2f} GB",
                      body.mesh.nodes.size(), 1e-9 * static_cast<double>(whole->factor().bytes())));
@@ -46,9 +45,9 @@ std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription&
   return whole;
 }
 
-// The body of a mesh; `cache`: where the corridor about the planned path is kept, empty for nowhere.
+// The body of a mesh; `folder`: where what was prepared is kept, empty for nowhere.
 std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::TetrahedralMesh mesh, anatomy::Case& patient,
-                                                            const std::filesystem::path& cache,
+                                                            const std::filesystem::path& folder,
                                                             const anatomy::NeedlePath& about,
                                                             const Progress& progress,
                                                             const std::function<void(const std::string&)>& note,
@@ -56,7 +55,8 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
   const anatomy::DeformableBodySettings& settings = *anatomy::body_of(patient.description.haptics.resistance);
   fem::DescribedBody described = fem::describe_body(std::move(mesh), patient, settings, about);
   if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
-    const auto whole = contact_body(described.body, progress, note);
+    const std::filesystem::path cache = folder.empty() ? folder : folder / factor_file_name;
+    const auto whole = contact_body(described.body, cache, progress, note);
     patient.corridor = {std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)),
                         about};
     if (kept != nullptr) *kept = whole;
@@ -66,9 +66,10 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
     for (const std::string& sentence : described.notes) note(sentence);
   }
   const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
-  anatomy::CondensedBody body = !cache.empty() && planned && same(about, *planned)
-                                    ? fem::condensed_with_cache(cache, described.body, {}, progress, note)
-                                    : fem::condense(described.body, {}, progress, note);
+  anatomy::CondensedBody body =
+      !folder.empty() && planned && same(about, *planned)
+          ? fem::condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
+          : fem::condense(described.body, {}, progress, note);
   fem::take_tissues_of_voxels(body, patient);
   patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), about};
   return std::make_shared<const fem::BodyDescription>(std::move(described.body));
@@ -98,13 +99,13 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
     throw InputError(fmt::format("{}: the case has no mesh, which {} needs; make one with: bodkin case mesh {}",
                                  folder.string(), anatomy::name_of(resistance), folder.string()));
   }
-  return prepare_body_of(std::move(mesh->mesh), patient, folder / body_file_name, *about, progress, note, kept);
+  return prepare_body_of(std::move(mesh->mesh), patient, folder, *about, progress, note, kept);
 }
 
 void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const anatomy::NeedlePath& path,
-                  const Progress& progress) {
+                  const Progress& progress, std::shared_ptr<const fem::ContactBody>* kept) {
   if (anatomy::body_of(patient.description.haptics.resistance) != nullptr)
-    prepare_body_of(std::move(mesh), patient, {}, path, progress, {}, nullptr);
+    prepare_body_of(std::move(mesh), patient, {}, path, progress, {}, kept);
 }
 
 std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& body,
@@ -113,12 +114,19 @@ std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& b
                                                    std::shared_ptr<fem::ContactLine> line) {
   const anatomy::EmbeddedNeedleSettings* points = with_points(*patient);
   if (points == nullptr) return nullptr;
-  if (kept == nullptr) kept = contact_body(body, {}, {});
+  if (kept == nullptr) kept = contact_body(body, {}, {}, {});
   const fem::ContactStreamSettings settings{.length = length + points->body.corridor_beyond,
                                             .spacing = points->point_spacing,
                                             .tip_radius = points->tip_radius,
                                             .left = patient->left_needles};
   return std::make_unique<fem::ContactStream>(kept, std::move(patient), settings, std::move(line));
+}
+
+std::unique_ptr<fem::ContactStream> contact_stream(const anatomy::Case& patient, double length,
+                                                   std::shared_ptr<const fem::ContactBody> kept,
+                                                   std::shared_ptr<fem::ContactLine> line) {
+  const std::shared_ptr<const anatomy::Case> shared(std::shared_ptr<const anatomy::Case>(), &patient);
+  return contact_stream(kept->description(), shared, length, kept, std::move(line));
 }
 
 }  // namespace bodkin::patient

@@ -1,8 +1,10 @@
 #include "core/files.h"
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -31,6 +33,12 @@ TEST_F(WriteFile, makes_the_folders_and_replaces_what_was_there) {
   write_file(file, std::string("t\0o", 3));
   EXPECT_EQ(content_of(file), std::string("t\0o", 3));
   EXPECT_EQ(std::distance(fs::directory_iterator(file.parent_path()), {}), 1) << "nothing else lies beside it";
+}
+
+TEST_F(WriteFile, writes_pieces_one_after_another) {
+  const fs::path file = folder_ / "pieces";
+  write_file(file, std::array<std::string_view, 3>{"one", "", " and two"});
+  EXPECT_EQ(content_of(file), "one and two");
 }
 
 TEST_F(WriteFile, says_which_file_cannot_be_written_and_leaves_nothing) {

@@ -63,7 +63,7 @@ class BevelRig {
       powers.row(i) << 1.0, z, z * z;
       values(i) = sides[used[static_cast<std::size_t>(i)]](axis);
     }
-    return -2.0 * powers.colPivHouseholderQr().solve(values)(2);
+    return -2.0 * Mat3(powers.transpose() * powers).inverse().row(2).dot(powers.transpose() * values);
   }
 
   EmbeddedNeedleForce force;

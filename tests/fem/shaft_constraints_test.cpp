@@ -160,6 +160,32 @@ TEST(ShaftConstraints, no_drift_after_100000_changes) {
   EXPECT_LT(both.worst_difference(), 1e-10);
 }
 
+// As a hand at 500 mm/s does: the factor follows the changes of many nodes that stick, and is seldom made anew.
+TEST(ShaftConstraints, no_drift_while_all_nodes_stick_and_come_and_go) {
+  const std::size_t most = sanitized ? 40 : 90;
+  ShaftAndDense both(most, 4);
+  while (both.shaft.size() < most / 2) ASSERT_TRUE(both.advance());
+  both.shaft.constrain_all_along();
+  double worst = both.worst_difference();
+  bool inwards = true;
+  for (int change = 0; change < (sanitized ? 300 : 3000); ++change) {
+    if (both.random.uniform() < 0.1) inwards = !inwards;
+    if (inwards && both.shaft.size() < most) {
+      ASSERT_TRUE(both.advance());
+      both.shaft.constrain_along(both.shaft.size() - 1);
+    } else if (!inwards && both.shaft.size() > 30) {
+      both.draw_back();
+    }
+    if (both.random.uniform() < 0.3) {
+      const std::size_t index = both.random.next() % both.shaft.known();
+      both.shaft.release_along(index);
+      both.shaft.constrain_along(index);
+    }
+    if (change % 100 == 0) worst = std::max(worst, both.worst_difference());
+  }
+  EXPECT_LT(std::max(worst, both.worst_difference()), 1e-10);
+}
+
 TEST(ShaftConstraints, drawing_back_leaves_what_was_there_before_to_the_bit) {
   ShaftAndDense both(30, 3);
   for (int i = 0; i < 15; ++i) ASSERT_TRUE(both.advance());

@@ -55,6 +55,35 @@ TEST(MovedTissue, the_way_back_to_rest_is_its_inverse) {
     EXPECT_LT((moved.at_rest(rest + law(rest)) - rest).norm(), 0.02 * law(rest).norm()) << rest.transpose();
 }
 
+TEST(MovedTissue, the_way_back_at_the_points_of_its_lattice_is_that_of_any_place) {
+  const MovedTissue moved = moved_by(lattice_around(box, 4.0, 100'000), law);
+  const RestOffsets offsets = moved.rest_offsets();
+  const std::vector<Vec3> points = offsets.lattice.points();
+  ASSERT_EQ(offsets.offsets.size(), 3 * points.size());
+  for (std::size_t i = 0; i < points.size(); i += 37) {
+    const Vec3 offset = Eigen::Map<const Eigen::Vector3f>(offsets.offsets.data() + 3 * i).cast<double>();
+    EXPECT_LT((points[i] + offset - moved.at_rest(points[i])).norm(), 1e-5);
+  }
+}
+
+TEST(MovedTissue, two_motions_add_up_from_different_lattices) {
+  const auto other = [](const Vec3& rest) { return Vec3(0.1 * rest.x(), 2.0, -0.05 * rest.y()); };
+  const MovedTissue sum =
+      moved_by(lattice_around(box, 4.0, 100'000), law).plus(moved_by(lattice_around(box, 7.0, 100'000), other));
+  for (const Vec3& rest : {Vec3(0.0, 10.0, 20.0), Vec3(33.3, 30.0, 12.0)})
+    EXPECT_LT((sum.of(rest) - law(rest) - other(rest)).norm(), 1e-4) << rest.transpose();
+}
+
+TEST(MovedTissue, knows_how_differently_two_tissues_have_moved) {
+  const PointLattice lattice = lattice_around(box, 4.0, 100'000);
+  const MovedTissue moved = moved_by(lattice, law);
+  EXPECT_EQ(moved.most_difference(moved), 0.0);
+  const MovedTissue farther =
+      moved_by(lattice, [](const Vec3& rest) { return Vec3(law(rest) + Vec3(0.0, 0.3, -0.7)); });
+  EXPECT_NEAR(moved.most_difference(farther), 0.7, 1e-5);
+  EXPECT_TRUE(std::isinf(moved.most_difference(moved_by(lattice_around(box, 5.0, 100'000), law))));
+}
+
 // HU rise by 10 a mm along y; bone for y > 25.
 TEST(MovedTissue, a_slice_shows_at_each_pixel_what_has_moved_there) {
   Grid grid;

@@ -1,6 +1,7 @@
 // Rays through volumes whose answer is known on paper.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,70 @@ TEST(RayCaster, rays_meet_what_a_plain_sum_does) {
     EXPECT_LT(faint.most, 0.1);
     EXPECT_LT(usual.mean, 0.5);
     EXPECT_LT(usual.most, 16.0);  // a quarter of the light, at an edge that a step meets late
+  }
+}
+
+// How tissue has moved, on a lattice that is wider than block_of() by 20 mm on every side.
+RestOffsets offsets_of(const std::function<Vec3(const Vec3&)>& law) {
+  RestOffsets made{{Vec3::Constant(-70.0), 5.0, {29, 29, 29}}, {}};
+  for (int k = 0; k < 29; ++k) {
+    for (int j = 0; j < 29; ++j) {
+      for (int i = 0; i < 29; ++i) {
+        for (const double part : law(made.lattice.corner + made.lattice.spacing * Vec3(i, j, k)))
+          made.offsets.push_back(static_cast<float>(part));
+      }
+    }
+  }
+  return made;
+}
+
+// Water from y = -20 to 20 mm in air. Its front is pressed in by 10 mm and its back rests, so 30 mm of it are left:
+// what now is at y lay at (y - 5) / 0.75. From all sides the ray meets as much as the law says.
+TEST(RayCaster, pressed_tissue_is_met_where_it_is_now) {
+  anatomy::CtVolume ct = block_of(-1000, 1.0, 80);
+  for (int k = 0; k < 80; ++k)
+    for (int j = 20; j < 60; ++j)
+      for (int i = 0; i < 80; ++i) ct.at(i, j, k) = 0;
+  const RestOffsets pressed = offsets_of(
+      [](const Vec3& now) { return Vec3(0.0, std::clamp((now.y() - 5.0) / 0.75, -60.0, 60.0) - now.y(), 0.0); });
+  for (const double step : {0.3, 1.0, 4.0}) {
+    RayCaster caster(prepared(ct), look_of(VolumeMode::sum), step);
+    const Vec3 eye(0.3, -200.0, 1.2), slanted = Vec3(0.1, 1.0, -0.05).normalized();
+    EXPECT_NEAR(caster.cast(eye, Vec3::UnitY(), everywhere).sum, 40.0, 0.3 + 0.3 * step);
+    caster.set_moved(&pressed);
+    EXPECT_NEAR(caster.cast(eye, Vec3::UnitY(), everywhere).sum, 30.0, 0.3 + 0.3 * step);
+    EXPECT_NEAR(caster.cast(eye, slanted, everywhere).sum, 30.0 / slanted.y(), 0.3 + 0.3 * step);
+    EXPECT_NEAR(caster.cast(eye, Vec3::UnitY(), 195.0).sum, 5.0, 0.3 + 0.3 * step);  // until y = -5
+    caster.set_moved(nullptr);
+    EXPECT_NEAR(caster.cast(eye, Vec3::UnitY(), everywhere).sum, 40.0, 0.3 + 0.3 * step);
+  }
+}
+
+// What has moved as a whole looks as from an eye that has moved the other way; the samples lie elsewhere along the
+// rays, so they are taken close together.
+TEST(RayCaster, tissue_that_has_moved_looks_as_from_an_eye_that_has_moved_the_other_way) {
+  const Vec3 motion(6.0, -5.0, 9.0);
+  const RestOffsets moved = offsets_of([&](const Vec3& /*now*/) { return Vec3(-motion); });
+  for (const VolumeMode mode : {VolumeMode::colour, VolumeMode::maximum}) {
+    const RayCaster still(prepared(balls()), look_of(mode), 0.1);
+    RayCaster caster(prepared(balls()), look_of(mode), 0.1), walked(prepared(balls()), look_of(mode), 0.1);
+    caster.set_moved(&moved);
+    walked.set_moved(&moved);
+    walked.skip_nothing();
+    const Vec3 eye(90.0, -260.0, 70.0);
+    double off = 0.0;
+    int rays = 0;
+    for (double x = -25.0; x < 25.0; x += 3.1) {
+      for (double z = -25.0; z < 25.0; z += 3.7, ++rays) {
+        const Vec3 direction = (Vec3(x, 0.0, z) + motion - eye).normalized();
+        const CastRay there = still.cast(eye - motion, direction, everywhere),
+                      here = caster.cast(eye, direction, everywhere);
+        off += static_cast<double>(std::abs(here.red - there.red) + std::abs(here.opacity - there.opacity));
+        EXPECT_NEAR(here.most, there.most, 12.0);
+        EXPECT_NEAR(here.red, walked.cast(eye, direction, everywhere).red, 1e-4);  // but for other packets' rounding
+      }
+    }
+    EXPECT_LT(off / rays, 0.004) << static_cast<int>(mode);
   }
 }
 

@@ -12,9 +12,10 @@ constexpr double default_step_time = 1.0 / 60.0;  // s, of a static body (dt = 0
 constexpr std::chrono::milliseconds time_poll{1};
 constexpr std::size_t kept_steps = 4096;  // a minute for whoever records them
 
-BodySnapshot empty_snapshot(std::size_t nodes) {
+BodySnapshot empty_snapshot(std::size_t nodes, std::size_t most_held) {
   BodySnapshot snapshot;
   snapshot.displacements.assign(3 * nodes, 0.0F);
+  snapshot.held.assign(most_held, 0);
   return snapshot;
 }
 
@@ -25,7 +26,7 @@ BodyThread::BodyThread(const BodyDescription& body, const BodySolverSettings& se
     : solver_(body, settings),
       step_time_(settings.motion.dt > 0.0 ? settings.motion.dt : default_step_time),
       breath_(breath),
-      next_(empty_snapshot(body.mesh.nodes.size())),
+      next_(empty_snapshot(body.mesh.nodes.size(), solver_.press().surface().size())),
       snapshots_(next_),
       field_(field_at_rest(solver_)),
       motion_(std::make_shared<BodyMotion>(field_)),
@@ -58,6 +59,9 @@ void BodyThread::make_step() noexcept {
   ++next_.steps;
   ProbeReading reading;
   reading.on_probe = solver_.press().on_probe(solver_.body());
+  reading.by_needle = solver_.press().from_middle(by_needle_.read(), solver_.body());
+  reading.on_probe.force += reading.by_needle.force;
+  reading.on_probe.torque += reading.by_needle.torque;
   if (probe) reading.probe = probe->translation();
   reading.nodes = static_cast<std::uint32_t>(solver_.press().held());
   reading.steps = next_.steps;
@@ -73,6 +77,8 @@ void BodyThread::publish() noexcept {
   const bool failed = failed_.load(std::memory_order_relaxed);
   read_field(solver_, failed, field_);
   if (!failed) next_.displacements = field_.moved;
+  next_.held = field_.held;
+  next_.held_count = field_.held_count;
   snapshots_.write(next_);
   steps_->push({field_.step, probe_of_step_, digest_of(field_.moved)});
   motion_->write(field_);

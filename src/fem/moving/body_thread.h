@@ -17,14 +17,18 @@ namespace bodkin::fem {
 struct BodySnapshot {
   std::vector<float> displacements;  // mm, 3 per node of the mesh, x y z in turn
   std::uint64_t steps = 0;           // made so far
-  Wrench on_probe;                   // N and N mm, about the probe's origin
+  Wrench on_probe;                   // N and N mm, about the probe's origin; the needle's part as well
   std::uint32_t probe_nodes = 0;     // held by the probe
-  std::uint32_t faults = 0;          // steps that failed: the body kept its last state
+  std::vector<std::uint32_t> held;   // of which the first `held_count` are these nodes; none after a fault
+  std::size_t held_count = 0;
+  std::span<const std::uint32_t> held_nodes() const noexcept { return {held.data(), held_count}; }
+  std::uint32_t faults = 0;  // steps that failed: the body kept its last state
 };
 
 // The force of the body on a probe, small enough to be read in every tick of the hand that holds it.
 struct ProbeReading {
-  Wrench on_probe;            // N and N mm, about the probe's origin
+  Wrench on_probe;            // N and N mm, about the probe's origin; by_needle as well
+  Wrench by_needle;           // the part of it from a needle in the hand, see push_probe()
   Vec3 probe = Vec3::Zero();  // mm: where the probe was in that step
   std::uint32_t nodes = 0;    // held by the probe; 0: no contact, and on_probe has no meaning
   std::uint64_t steps = 0;    // made so far
@@ -50,6 +54,10 @@ class BodyThread {
   }
   // Probe's thread; empty: no probe touches the body.
   void move_probe(const std::optional<Pose>& probe) noexcept { probe_.write(probe); }
+  // Needle's thread: what a needle in the body does to the nodes that the probe holds, N, and N mm about their middle
+  // (BodyPort::on_held). The probe feels it in the next step. The body itself moves as without the needle, whose
+  // forces move it in the needle's own equations.
+  void push_probe(const Wrench& by_needle) noexcept { by_needle_.write(by_needle); }
   // How the body moves, for the needle in it (BodyPort::move_with); of zero length once it has failed.
   const std::shared_ptr<BodyMotion>& motion() const noexcept { return motion_; }
   // Every step, for the recorder's thread, each before its motion; those that find the ring full are left out.
@@ -58,6 +66,8 @@ class BodyThread {
   const BodySnapshot& snapshot() noexcept { return snapshots_.read(); }
   // Probe's thread: the newest reading, unchanged until the next call.
   const ProbeReading& reading() noexcept { return readings_.read(); }
+  // Any thread: nodes of the mesh that a probe can hold.
+  std::span<const std::uint32_t> surface() const noexcept { return solver_.press().surface(); }
   // Any thread: a step has failed.
   bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
 
@@ -71,6 +81,7 @@ class BodyThread {
   std::optional<anatomy::BreathField> breath_;
   std::atomic<double> time_{0.0}, drawn_in_{0.0};
   LatestValue<std::optional<Pose>> probe_;
+  LatestValue<Wrench> by_needle_;
   BodySnapshot next_;  // of the body's thread
   LatestValue<BodySnapshot> snapshots_;
   LatestValue<ProbeReading> readings_;

@@ -149,4 +149,12 @@ Wrench ProbePress::on_probe(const CorotationalBody& body) const noexcept {
   return sum;
 }
 
+Wrench ProbePress::from_middle(const Wrench& wrench, const CorotationalBody& body) const noexcept {
+  if (held_ == 0) return {};
+  Vec3 middle = Vec3::Zero();
+  for (std::size_t i = 0; i < surface_.size(); ++i)
+    if (taken_[i] != 0) middle += body.position(surface_[i]) / static_cast<double>(held_);
+  return {wrench.force, wrench.torque + (middle - probe_.translation()).cross(wrench.force)};
+}
+
 }  // namespace bodkin::fem

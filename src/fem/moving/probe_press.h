@@ -41,6 +41,8 @@ class ProbePress {
   // How many nodes are held, and by what force on the probe, N, and torque about its origin, N mm, after a step.
   std::size_t held() const noexcept { return held_; }
   Wrench on_probe(const CorotationalBody& body) const noexcept;
+  // The same of a wrench about the middle of the nodes held, where they are now; zero where none is.
+  Wrench from_middle(const Wrench& wrench, const CorotationalBody& body) const noexcept;
   // The nodes held, ascending, of which the first held() are written; `nodes` has room for surface().
   void held_nodes(std::span<std::uint32_t> nodes) const noexcept;
   // Whether exactly these are held.

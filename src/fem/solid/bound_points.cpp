@@ -40,12 +40,14 @@ void subtract(double* from, const double* what, double factor, std::size_t rows)
 BoundPoints::BoundPoints(std::vector<Group> groups) {
   std::vector<Mat3> gains;
   std::vector<std::pair<std::size_t, std::size_t>> free;  // first and last point of each needle
+  std::vector<std::size_t> held;
   for (Group& group : groups) {
     const std::size_t first = places_.size();
     std::move(group.responses.begin(), group.responses.end(), std::back_inserter(responses_));
     places_.insert(places_.end(), group.places.begin(), group.places.end());
     gains.insert(gains.end(), group.gains.begin(), group.gains.end());
     if (group.is_free && places_.size() > first) free.emplace_back(first, places_.size());
+    for (std::size_t point = first; !group.is_free && point < places_.size(); ++point) held.push_back(point);
   }
   const std::size_t rows = 3 * places_.size();
   const auto size = static_cast<Eigen::Index>(rows);
@@ -84,6 +86,24 @@ BoundPoints::BoundPoints(std::vector<Group> groups) {
     }
   }
   motions_.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(found));
+  add_holder(held);
+}
+
+// The points of `held`, moved as one along the axes and about their middle.
+void BoundPoints::add_holder(const std::vector<std::size_t>& held) {
+  if (held.empty()) return;
+  Vec3 middle = Vec3::Zero();
+  for (const std::size_t point : held) middle += places_[point] / static_cast<double>(held.size());
+  const std::size_t rows = 3 * places_.size();
+  holder_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), 6);
+  for (const std::size_t point : held) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Vec3 turned = Vec3::Unit(axis).cross(places_[point] - middle);
+      holder_.col(axis).segment<3>(static_cast<Eigen::Index>(3 * point)) = Vec3::Unit(axis);
+      holder_.col(axis + 3).segment<3>(static_cast<Eigen::Index>(3 * point)) = turned;
+    }
+  }
+  invert_lower_times(dense_tiles().front(), rows, 6, lower_.data(), rows, holder_.data(), rows);
 }
 
 void BoundPoints::take_out_motions(double* columns, std::size_t count) const noexcept {
@@ -116,6 +136,31 @@ Mat3 BoundPoints::taken(const Eigen::MatrixXd& shares, std::size_t a, const Eige
       sum(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
           product_of(column_of(shares, 3 * a + row), column_of(shares_b, 3 * b + column), 3 * places_.size());
   return sum;
+}
+
+Eigen::MatrixXd BoundPoints::forces_against(Eigen::MatrixXd moved) const {
+  const std::size_t rows = 3 * places_.size();
+  if (rows == 0) return moved;
+  const auto columns = static_cast<std::size_t>(moved.cols());
+  invert_lower_times(dense_tiles().front(), rows, columns, lower_.data(), rows, moved.data(), rows);
+  take_out_motions(moved.data(), columns);
+  lower_.triangularView<Eigen::Lower>().transpose().solveInPlace(moved);
+  return -moved;
+}
+
+HeldShare BoundPoints::on_held(const Eigen::MatrixXd& shares, std::size_t point) const {
+  HeldShare share;
+  if (holder_.cols() == 0) return share;
+  const std::size_t rows = 3 * places_.size();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      const auto row = static_cast<Eigen::Index>(axis), at = static_cast<Eigen::Index>(column);
+      const double* const moved = column_of(shares, 3 * point + column);
+      share.force(row, at) = product_of(column_of(holder_, axis), moved, rows);
+      share.torque(row, at) = product_of(column_of(holder_, axis + 3), moved, rows);
+    }
+  }
+  return share;
 }
 
 Eigen::VectorXd BoundPoints::forces(const Eigen::MatrixXd& shares, const Eigen::VectorXd& on_points) const {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/geometry.h"
+#include "fem/contact_line.h"
 #include "fem/solid/packed_factor.h"
 
 namespace bodkin::fem {
@@ -48,14 +49,21 @@ class BoundPoints {
   Mat3 taken(const Eigen::MatrixXd& shares, std::size_t a, const Eigen::MatrixXd& shares_b, std::size_t b) const;
   // N, 3 a bound point: f_c by these forces (3 a point) on the points of `shares`.
   Eigen::VectorXd forces(const Eigen::MatrixXd& shares, const Eigen::VectorXd& on_points) const;
+  // The same from how the bound points would move (mm, 3 rows each) were they not bound, column by column.
+  Eigen::MatrixXd forces_against(Eigen::MatrixXd moved) const;
+  // What a force on a point of `shares` does to whatever holds the held nodes, which is -f_c on all of them together:
+  // with W = L^-1 E, E their motions as one rigid body, W^T Y.
+  HeldShare on_held(const Eigen::MatrixXd& shares, std::size_t point) const;
 
  private:
+  void add_holder(const std::vector<std::size_t>& held);
   void take_out_motions(double* columns, std::size_t count) const noexcept;
 
   std::vector<PointResponse> responses_;
   std::vector<Vec3> places_;
   Eigen::MatrixXd lower_;    // L
   Eigen::MatrixXd motions_;  // Z
+  Eigen::MatrixXd holder_;   // W, 6 columns; none where no node is held
 };
 
 }  // namespace bodkin::fem

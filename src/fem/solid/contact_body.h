@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "anatomy/condensed_body.h"
 #include "core/progress.h"
@@ -31,6 +32,8 @@ class ContactBody {
   // see ElasticBody.
   ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options = {},
               const Progress& progress = {});
+  // With the factor of this body from elsewhere. Throws InputError when it has another number of free nodes.
+  ContactBody(std::shared_ptr<const BodyDescription> body, PackedFactor factor);
 
   const BodyDescription& description() const noexcept { return *body_; }
   const PackedFactor& factor() const noexcept { return *factor_; }
@@ -48,17 +51,15 @@ class ContactBody {
   anatomy::CondensedBody contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
                                         double tip_radius, int threads = 0, const BoundPoints& bound = {}) const;
 
-  // The same points with the same bits, one after another, on this thread: `next` hears each when it is computed, and
-  // says whether to go on. They are computed in groups, the first alone and the largest of 8. None at all on a line
-  // beside the mesh.
-  void stream(std::span<const NeedleStation> stations, const Vec3& direction, double tip_radius,
-              const std::function<bool(const ContactPoint&)>& next, const BoundPoints& bound = {}) const;
+  // mm/N: how these nodes of the mesh move by unit forces on each of `points`, 3 rows a node and 3 columns a point.
+  Eigen::MatrixXd displacements(std::span<const CarriedPoint> points, std::span<const std::uint32_t> nodes) const;
 
   // A place of the mesh as a point that its nodes carry; those that are held carry nothing.
   CarriedPoint carried(const PointInMesh& place) const;
 
  private:
-  class Points;
+  friend class LinePoints;
+  static constexpr std::size_t points_at_once = 8;  // that share reading the factor
 
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh

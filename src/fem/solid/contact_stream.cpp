@@ -2,11 +2,29 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace bodkin::fem {
+
+namespace {
+
+constexpr double least_ahead = 10.0;  // mm, that a needle which has turned may always go on
+
+void append_known(const anatomy::CondensedBody& body, const std::function<bool(const ContactPoint&)>& next) {
+  std::vector<Mat3> between;
+  for (std::size_t j = 0; j < body.nodes.size(); ++j) {
+    between.resize(j + 1);
+    const auto column = static_cast<Eigen::Index>(3 * j);
+    for (std::size_t i = 0; i <= j; ++i)
+      between[i] = body.compliance.block<3, 3>(static_cast<Eigen::Index>(3 * i), column);
+    if (!next({body.nodes[j], body.tissues[j], body.in_mesh[j], between})) return;
+  }
+}
+
+}  // namespace
 
 ContactStream::ContactStream(std::shared_ptr<const ContactBody> body, std::shared_ptr<const anatomy::Case> patient,
                              const ContactStreamSettings& settings, std::shared_ptr<ContactLine> line)
@@ -23,6 +41,10 @@ ContactStream::~ContactStream() {
 
 void ContactStream::serve() {
   while (const std::optional<ContactLine::Line> line = line_->next_line()) {
+    if (line->is_coupling) {
+      couple(*line);
+      continue;
+    }
     try {
       compute(*line);
     } catch (const std::exception&) {
@@ -32,17 +54,56 @@ void ContactStream::serve() {
   }
 }
 
-void ContactStream::compute(const ContactLine::Line& line) {
-  const anatomy::NeedlePath path{line.entry, line.entry + settings_.length * line.direction};
-  const std::vector<NeedleStation> stations = stations_along(path, settings_.length, settings_.spacing, *patient_);
+// The points that there are, with other nodes held.
+void ContactStream::couple(const ContactLine::Line& line) {
+  bool done = points_ && points_->size() >= line.kept;
+  try {
+    if (done) {
+      const std::span<const std::uint32_t> held(line.held.data(), line.held_count);
+      *bound_ = body_->bind(settings_.left, held);
+      held_.assign(held.begin(), held.end());
+      points_->keep_first(line.kept);
+      points_->bind_again();
+    }
+    for (std::size_t i = 0; done && i < line.kept; ++i) done = line_->put(line, i, points_->point(i));
+  } catch (const std::exception&) {
+    done = false;  // no memory: the needle stays coupled as it was
+  }
+  line_->end_coupling(line, done);
+}
+
+// Leaves the points that the needle has reached, and finds those ahead.
+void ContactStream::find_points(const ContactLine::Line& line) {
+  if (line.kept > 0) {
+    points_->keep_first(line.kept);
+    const double left = settings_.length - (line.entry - begin_).norm();
+    points_->add(stations_ahead(line.entry, line.direction, std::max(left, least_ahead), settings_.spacing,
+                                points_->tissue(line.kept - 1), *patient_),
+                 line.direction);
+    return;
+  }
+  points_.reset();
   const std::span<const std::uint32_t> held(line.held.data(), line.held_count);
   if (!bound_ || !std::equal(held.begin(), held.end(), held_.begin(), held_.end())) {
     bound_ = body_->bind(settings_.left, held);
     held_.assign(held.begin(), held.end());
   }
-  body_->stream(
-      stations, line.direction, settings_.tip_radius,
-      [&](const ContactPoint& point) { return line_->append(line, point); }, *bound_);
+  begin_ = line.entry;
+  const anatomy::NeedlePath path{line.entry, line.entry + settings_.length * line.direction};
+  points_.emplace(*body_, settings_.tip_radius, *bound_);
+  points_->add(stations_along(line.is_planned ? patient_->corridor.path : path, settings_.length, settings_.spacing,
+                              *patient_),
+               line.direction);
+}
+
+void ContactStream::compute(const ContactLine::Line& line) {
+  if (line.kept > 0 && (!points_ || points_->size() < line.kept)) return;
+  find_points(line);
+  const auto append = [&](const ContactPoint& point) { return line_->append(line, point); };
+  if (line.is_planned && line.kept == 0)
+    append_known(*patient_->corridor.body, append);
+  else
+    points_->stream(line.kept, append);
 }
 
 }  // namespace bodkin::fem

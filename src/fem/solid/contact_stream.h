@@ -9,6 +9,7 @@
 #include "anatomy/case.h"
 #include "fem/contact_line.h"
 #include "fem/solid/contact_body.h"
+#include "fem/solid/line_points.h"
 
 namespace bodkin::fem {
 
@@ -21,7 +22,8 @@ struct ContactStreamSettings {
 };
 
 // Computes the contact points of every line that is asked for (ContactLine) on a thread of its own: the first one
-// alone, since the needle touches it already, then more and more at once.
+// alone, since the needle touches it already, then more and more at once. Those of the planned line are the patient's
+// (Case::corridor).
 class ContactStream {
  public:
   // `patient`: its tissues and its library. Starts the thread.
@@ -34,7 +36,9 @@ class ContactStream {
 
  private:
   void serve();
+  void find_points(const ContactLine::Line& line);
   void compute(const ContactLine::Line& line);
+  void couple(const ContactLine::Line& line);
 
   std::shared_ptr<const ContactBody> body_;
   std::shared_ptr<const anatomy::Case> patient_;
@@ -42,7 +46,9 @@ class ContactStream {
   std::shared_ptr<ContactLine> line_;
   std::optional<BoundPoints> bound_;  // by `held_`; of the thread
   std::vector<std::uint32_t> held_;
-  std::thread thread_;  // the last member: it uses the others
+  std::optional<LinePoints> points_;  // of the newest line; of the thread
+  Vec3 begin_ = Vec3::Zero();         // mm, LPS, where that line touches the body
+  std::thread thread_;                // the last member: it uses the others
 };
 
 }  // namespace bodkin::fem

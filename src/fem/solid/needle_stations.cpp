@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace bodkin::fem {
 
@@ -11,6 +13,7 @@ constexpr double before_entry = 1.0;   // mm: the skin may begin there
 constexpr double step = 0.05;          // mm, at which voxels are looked up
 constexpr double least_layer = 0.3;    // mm
 constexpr double corner_share = 0.75;  // of a voxel
+constexpr double along_bone = 3.0;     // mm, by which what is known of moved tissue may err
 constexpr double least_rest = 0.5;     // of the distance between stations, that is left to the next border
 
 // A piece of the line in one tissue.
@@ -35,15 +38,17 @@ double puncture_force(const anatomy::Case& patient, anatomy::TissueId id) {
                                                                        : tissue->deformable.puncture_force;
 }
 
-// Down to the first rigid tissue that is thick enough to be a layer, which is the last piece then.
-std::vector<Piece> pieces_along(const anatomy::NeedlePath& path, double length, const anatomy::Case& patient) {
+// From `begin` mm down to the first rigid tissue that is thick enough to be a layer, which is the last piece then.
+// `inside`: what a needle is in that begins here, and goes along bone at first where the voxels have some.
+std::vector<Piece> pieces_along(const Vec3& entry, const Vec3& along, double begin, double length,
+                                const anatomy::Case& patient, std::optional<anatomy::TissueId> inside = {}) {
   std::vector<Piece> pieces;
-  const Vec3 along = path.direction();
-  const auto steps = static_cast<long>(std::floor((before_entry + length) / step));
+  const auto steps = static_cast<long>(std::floor((length - begin) / step));
   for (long i = 0; i <= steps; ++i) {
-    const double depth = -before_entry + step * static_cast<double>(i);
-    const anatomy::TissueId here =
-        anatomy::nearest<anatomy::TissueId>(patient.tissues, path.entry + depth * along, anatomy::tissue::air);
+    const double depth = begin + step * static_cast<double>(i);
+    anatomy::TissueId here =
+        anatomy::nearest<anatomy::TissueId>(patient.tissues, entry + depth * along, anatomy::tissue::air);
+    if (inside && depth < along_bone && is_rigid(patient.library, here)) here = *inside;
     if (pieces.empty() && here == anatomy::tissue::air) continue;
     if (pieces.empty() || pieces.back().tissue != here)
       pieces.push_back({here, depth, depth + step});
@@ -83,15 +88,9 @@ void leave_out_corners(std::vector<Piece>& pieces, double voxel) {
   }
 }
 
-}  // namespace
-
-std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, double length, double apart,
-                                          const anatomy::Case& patient) {
-  std::vector<Piece> pieces = pieces_along(path, length, patient);
-  // A corner of the skin's staircase before more air is not where the body begins.
-  while (pieces.size() > 1 && pieces[0].length() < corner_share * patient.tissues.grid.spacing.minCoeff() &&
-         pieces[1].tissue == anatomy::tissue::air)
-    pieces.erase(pieces.begin(), pieces.begin() + 2);
+// The stations of the pieces before the first rigid one. `begins_inside`: the first one has no border before it.
+std::vector<NeedleStation> stations_of(std::vector<Piece> pieces, bool begins_inside, const Vec3& entry,
+                                       const Vec3& along, double apart, const anatomy::Case& patient) {
   leave_out_corners(pieces, patient.tissues.grid.spacing.minCoeff());
   const auto rigid = std::find_if(pieces.begin(), pieces.end(),
                                   [&](const Piece& piece) { return is_rigid(patient.library, piece.tissue); });
@@ -101,14 +100,35 @@ std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, doubl
   for (const Piece& piece : pieces) {
     const double force = puncture_force(patient, piece.tissue);
     const auto add = [&](double depth, bool border) {
-      const Vec3 place = path.entry + depth * path.direction();
+      const Vec3 place = entry + depth * along;
       stations.push_back({place, depth, piece.tissue, border, border && force > before});
     };
-    add(piece.from, true);
+    if (!begins_inside || &piece != &pieces.front()) add(piece.from, true);
     for (int i = 1; piece.from + (i + least_rest) * apart <= piece.to; ++i) add(piece.from + i * apart, false);
     before = force;
   }
   return stations;
+}
+
+}  // namespace
+
+std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, double length, double apart,
+                                          const anatomy::Case& patient) {
+  const Vec3 along = path.direction();
+  std::vector<Piece> pieces = pieces_along(path.entry, along, -before_entry, length, patient);
+  // A corner of the skin's staircase before more air is not where the body begins.
+  while (pieces.size() > 1 && pieces[0].length() < corner_share * patient.tissues.grid.spacing.minCoeff() &&
+         pieces[1].tissue == anatomy::tissue::air)
+    pieces.erase(pieces.begin(), pieces.begin() + 2);
+  return stations_of(std::move(pieces), false, path.entry, along, apart, patient);
+}
+
+std::vector<NeedleStation> stations_ahead(const Vec3& place, const Vec3& along, double length, double apart,
+                                          anatomy::TissueId behind, const anatomy::Case& patient) {
+  std::vector<Piece> pieces = pieces_along(place, along, 0.0, length, patient, behind);
+  pieces.insert(pieces.begin(), {behind, 0.0, 0.0});
+  join(pieces);
+  return stations_of(std::move(pieces), true, place, along, apart, patient);
 }
 
 }  // namespace bodkin::fem

@@ -24,4 +24,10 @@ struct NeedleStation {
 std::vector<NeedleStation> stations_along(const anatomy::NeedlePath& path, double length, double apart,
                                           const anatomy::Case& patient);
 
+// The stations ahead of a needle that has turned inside the body: from `place` (LPS, at rest) along the unit vector
+// `along`, by the same rules. The needle is in the tissue `behind` there, and a border stands where another begins;
+// rigid tissue in the first 3 mm is passed by.
+std::vector<NeedleStation> stations_ahead(const Vec3& place, const Vec3& along, double length, double apart,
+                                          anatomy::TissueId behind, const anatomy::Case& patient);
+
 }  // namespace bodkin::fem

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/simd.h"
 #include "core/thread_pool.h"
@@ -10,19 +11,8 @@ namespace bodkin::fem {
 
 namespace {
 
-// The factor is packed in strips of this many rows: for each column of the supernode, the strip's numbers in it.
-constexpr std::size_t strip = 8;
+constexpr std::size_t strip = strip_rows;
 constexpr std::size_t numbers_at_once = std::size_t{1} << 16U;  // that one thread packs
-
-constexpr std::size_t strips_of(std::size_t rows) {
-  return (rows + strip - 1) / strip;
-}
-
-// Numbers in the packed triangle: strip i has 8 (i + 1) columns.
-constexpr std::size_t triangle_size(std::size_t width) {
-  const std::size_t strips = strips_of(width);
-  return strip * strip * strips * (strips + 1) / 2;
-}
 
 using StripSums = std::array<std::array<double, strip>, 3>;
 
@@ -106,6 +96,81 @@ void sweep_plain(const SweepStep& step) noexcept {
   sweep_inline(step);
 }
 
+// One supernode of a backward substitution, for several points.
+struct BackStep {
+  const double* own;  // as of SweepStep, all of it
+  const double* below;
+  std::size_t width, height;
+  std::size_t first;
+  const std::uint32_t* rows;
+  std::size_t lead;
+  double* columns;  // three a point, over all equations
+  std::size_t count;
+  double* sums;  // 3 x count x width lanes, of what is taken from each of the supernode's equations
+};
+
+// Of three columns: sums of column k += the strip's numbers in it, lane by lane, times x.
+BODKIN_LANES_INLINE void add_transposed(const double* numbers, std::size_t columns,
+                                        const std::array<std::array<double, strip>, 3>& x, std::size_t width,
+                                        double* sums) noexcept {
+  const Lanes low0 = *lanes_at(x[0].data()), high0 = *lanes_at(x[0].data() + lane_count);
+  const Lanes low1 = *lanes_at(x[1].data()), high1 = *lanes_at(x[1].data() + lane_count);
+  const Lanes low2 = *lanes_at(x[2].data()), high2 = *lanes_at(x[2].data() + lane_count);
+  double *const sums1 = sums + lane_count * width, *const sums2 = sums1 + lane_count * width;
+  for (std::size_t k = 0; k < columns; ++k) {
+    const Lanes low = *lanes_at(numbers + strip * k), high = *lanes_at(numbers + strip * k + lane_count);
+    *lanes_at(sums + lane_count * k) += low * low0 + high * high0;
+    *lanes_at(sums1 + lane_count * k) += low * low1 + high * high1;
+    *lanes_at(sums2 + lane_count * k) += low * low2 + high * high2;
+  }
+}
+
+// x of the supernode := L^-T x, where the rows below are known.
+BODKIN_LANES_INLINE void back_inline(const BackStep& step) noexcept {
+  const std::size_t of_point = 3 * lane_count * step.width;
+  for (std::size_t i = 0; i < step.count * of_point; ++i) step.sums[i] = 0.0;
+  std::array<std::array<double, strip>, 3> x;
+  const double* numbers = step.below;
+  for (std::size_t first = 0; first < step.height; first += strip) {
+    const std::size_t here = step.height - first < strip ? step.height - first : strip;
+    for (std::size_t p = 0; p < step.count; ++p) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double* const column = step.columns + (3 * p + c) * step.lead;
+        for (std::size_t i = 0; i < strip; ++i) {
+          const std::size_t row = first + i;
+          x[c][i] = i < here ? column[3 * std::size_t{step.rows[row / 3]} + row % 3] : 0.0;
+        }
+      }
+      add_transposed(numbers, step.width, x, step.width, step.sums + p * of_point);
+    }
+    numbers += strip * step.width;
+  }
+  for (std::size_t strips = strips_of(step.width); strips-- > 0;) {
+    const std::size_t first = strip * strips, here = step.width - first < strip ? step.width - first : strip;
+    const double* const beside = step.own + triangle_size(first);
+    const double* const triangle = beside + strip * first;
+    for (std::size_t p = 0; p < step.count; ++p) {
+      double* const sums = step.sums + p * of_point;
+      for (std::size_t c = 0; c < 3; ++c) {
+        double* const own = step.columns + (3 * p + c) * step.lead + step.first + first;
+        for (std::size_t i = strip; i-- > 0;) {
+          x[c][i] = 0.0;
+          if (i >= here) continue;
+          double value = own[i] - sum_of_lanes(*lanes_at(sums + lane_count * (c * step.width + first + i)));
+          for (std::size_t j = i + 1; j < here; ++j) value -= triangle[strip * i + j] * x[c][j];
+          own[i] = x[c][i] = value * triangle[strip * i + i];
+        }
+      }
+      add_transposed(beside, first, x, step.width, sums);
+    }
+  }
+}
+
+BODKIN_PROCESSOR_CLONES
+void back_widest(const BackStep& step) noexcept {
+  back_inline(step);
+}
+
 // sums[3 i + j] += a_i * b_j lane by lane, for three columns of `length` numbers each.
 BODKIN_LANES_INLINE void products_inline(const double* a, const double* b, std::size_t length, Lanes* sums) noexcept {
   Lanes sum[9];
@@ -135,40 +200,26 @@ void products_plain(const double* a, const double* b, std::size_t length, Lanes*
 
 PackedFactor::PackedFactor(const MultifrontalCholesky& factor) : PackedFactor(factor.symbolic()) {
   ThreadPool alone(1);
-  for (std::size_t s = 0; s < parts_.size(); ++s) take(s, factor.kept_panel(s), alone);
+  for (std::size_t s = 0; s < layout_.parts.size(); ++s) take(s, factor.kept_panel(s), alone);
 }
 
-PackedFactor::PackedFactor(const SymbolicFactor& symbolic) {
-  position_ = symbolic.position;
-  rows_ = symbolic.rows;
-  part_of_.resize(position_.size());
-  for (std::uint32_t s = 0; s < symbolic.supernodes.size(); ++s) {
-    const Supernode& supernode = symbolic.supernodes[s];
-    for (std::uint32_t k = 0; k < supernode.columns; ++k) part_of_[supernode.first + k] = s;
-  }
-  for (std::uint32_t s = 0; s < symbolic.supernodes.size(); ++s) {
-    const Supernode& supernode = symbolic.supernodes[s];
-    Part part;
-    part.first = supernode.first;
-    part.columns = supernode.columns;
-    part.rows = supernode.rows;
-    part.rows_at = supernode.rows_at;
-    part.own_at = numbers_size_;
-    part.below_at = part.own_at + triangle_size(supernode.width());
-    part.parent = supernode.rows > 0 ? part_of_[rows_[supernode.rows_at]] : s;
-    numbers_size_ = part.below_at + strip * strips_of(3 * std::size_t{supernode.rows}) * supernode.width();
-    parts_.push_back(part);
-  }
-}
+PackedFactor::PackedFactor(const SymbolicFactor& symbolic) : layout_(symbolic) {}
+
+PackedFactor::PackedFactor(FactorLayout layout, MappedFile file, std::size_t at)
+    : layout_(std::move(layout)),
+      file_(std::move(file)),
+      numbers_(reinterpret_cast<const double*>(file_.bytes().data() + at)) {}
 
 std::size_t PackedFactor::bytes() const noexcept {
-  return sizeof(double) * numbers_size_ + sizeof(Part) * parts_.size() +
-         sizeof(std::uint32_t) * (position_.size() + part_of_.size() + rows_.size());
+  return sizeof(double) * layout_.numbers + layout_.bytes();
 }
 
 void PackedFactor::take(std::size_t supernode, const double* panel, ThreadPool& pool) {
-  if (numbers_.data() == nullptr) numbers_ = ZeroPages(numbers_size_);  // not before the memory was found to suffice
-  const Part& part = parts_[supernode];
+  if (numbers_ == nullptr) {  // not before the memory was found to suffice
+    pages_ = ZeroPages(layout_.numbers);
+    numbers_ = pages_.data();
+  }
+  const Part& part = layout_.parts[supernode];
   const std::size_t width = 3 * std::size_t{part.columns};
   const std::size_t own = strips_of(width), all = own + strips_of(3 * std::size_t{part.rows});
   const std::size_t in_piece = std::max<std::size_t>(1, numbers_at_once / (strip * width));
@@ -185,7 +236,7 @@ void PackedFactor::take(std::size_t supernode, const double* panel, ThreadPool& 
 void PackedFactor::pack_own(const Part& part, const double* panel, std::size_t strip_number) {
   const std::size_t width = 3 * std::size_t{part.columns}, height = width + 3 * std::size_t{part.rows};
   const std::size_t first = strip * strip_number, rows = std::min(strip, width - first);
-  double* to = numbers_.data() + part.own_at + triangle_size(first);
+  double* to = pages_.data() + part.own_at + triangle_size(first);
   for (std::size_t k = 0; k < first + strip; ++k, to += strip) {
     for (std::size_t i = 0; k < width && i < rows; ++i) {
       if (first + i > k) to[i] = panel[k * height + first + i];
@@ -197,36 +248,37 @@ void PackedFactor::pack_own(const Part& part, const double* panel, std::size_t s
 void PackedFactor::pack_below(const Part& part, const double* panel, std::size_t strip_number) {
   const std::size_t width = 3 * std::size_t{part.columns}, below = 3 * std::size_t{part.rows};
   const std::size_t height = width + below, first = strip * strip_number, rows = std::min(strip, below - first);
-  double* to = numbers_.data() + part.below_at + first * width;
+  double* to = pages_.data() + part.below_at + first * width;
   for (std::size_t k = 0; k < width; ++k, to += strip) std::copy_n(panel + k * height + width + first, rows, to);
 }
 
 std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> points, Kernel kernel) const {
-  std::vector<std::vector<bool>> meets(points.size(), std::vector<bool>(parts_.size(), false));
-  std::vector<bool> met(parts_.size(), false);
+  std::vector<std::vector<bool>> meets(points.size(), std::vector<bool>(layout_.parts.size(), false));
+  std::vector<bool> met(layout_.parts.size(), false);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (const CarriedPoint::Share& share : points[p].shares) {
-      for (std::uint32_t at = part_of_[position_[share.node]]; !meets[p][at]; at = parts_[at].parent)
+      for (std::uint32_t at = layout_.part_of[layout_.position[share.node]]; !meets[p][at];
+           at = layout_.parts[at].parent)
         meets[p][at] = met[at] = true;
     }
   }
   // Of all equations only those on the points' paths take part, a few of a hundred: these are numbered anew, so that
   // neither memory nor clearing it grows with the body.
-  std::vector<std::uint32_t> begin(parts_.size(), 0);
+  std::vector<std::uint32_t> begin(layout_.parts.size(), 0);
   std::uint32_t nodes_met = 0;
-  for (std::uint32_t s = 0; s < parts_.size(); ++s) {
+  for (std::uint32_t s = 0; s < layout_.parts.size(); ++s) {
     begin[s] = nodes_met;
-    if (met[s]) nodes_met += parts_[s].columns;
+    if (met[s]) nodes_met += layout_.parts[s].columns;
   }
   const auto place_of = [this, &begin](std::uint32_t position) {
-    const std::uint32_t part = part_of_[position];
-    return begin[part] + (position - parts_[part].first);
+    const std::uint32_t part = layout_.part_of[position];
+    return begin[part] + (position - layout_.parts[part].first);
   };
   const std::size_t lead = 3 * std::size_t{nodes_met};
   std::vector<double> columns(3 * lead * points.size(), 0.0);
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (const CarriedPoint::Share& share : points[p].shares) {
-      const std::size_t at = 3 * std::size_t{place_of(position_[share.node])};
+      const std::size_t at = 3 * std::size_t{place_of(layout_.position[share.node])};
       for (std::size_t c = 0; c < 3; ++c) columns[(3 * p + c) * lead + at + c] += share.weight;
     }
   }
@@ -234,9 +286,9 @@ std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> p
   std::vector<PointResponse> responses(points.size());
   std::vector<double*> here;
   std::vector<std::size_t> which;
-  for (std::uint32_t s = 0; s < parts_.size(); ++s) {
+  for (std::uint32_t s = 0; s < layout_.parts.size(); ++s) {
     if (!met[s]) continue;
-    const Part& part = parts_[s];
+    const Part& part = layout_.parts[s];
     here.clear();
     which.clear();
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -245,9 +297,9 @@ std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> p
       which.push_back(p);
     }
     rows.clear();
-    for (std::size_t k = 0; k < part.rows; ++k) rows.push_back(place_of(rows_[part.rows_at + k]));
-    const SweepStep step{.own = numbers_.data() + part.own_at,
-                         .below = numbers_.data() + part.below_at,
+    for (std::size_t k = 0; k < part.rows; ++k) rows.push_back(place_of(layout_.rows[part.rows_at + k]));
+    const SweepStep step{.own = numbers_ + part.own_at,
+                         .below = numbers_ + part.below_at,
                          .width = 3 * std::size_t{part.columns},
                          .height = 3 * std::size_t{part.rows},
                          .first = 3 * std::size_t{begin[s]},
@@ -272,6 +324,48 @@ std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> p
     }
   }
   return responses;
+}
+
+Eigen::MatrixXd PackedFactor::displacements(std::span<const PointResponse> points,
+                                            std::span<const std::uint32_t> wanted) const {
+  std::vector<bool> met(layout_.parts.size(), false);
+  for (const std::uint32_t node : wanted)
+    for (std::uint32_t at = layout_.part_of[layout_.position[node]]; !met[at]; at = layout_.parts[at].parent)
+      met[at] = true;
+  const std::size_t lead = 3 * layout_.position.size();
+  std::vector<double> columns(3 * lead * points.size(), 0.0);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    for (const PointResponse::Piece& piece : points[p].path) {
+      const std::size_t first = 3 * std::size_t{layout_.parts[piece.supernode].first};
+      for (std::size_t c = 0; c < 3; ++c)
+        std::copy_n(points[p].numbers.data() + piece.at + c * piece.length,
+                    3 * std::size_t{layout_.parts[piece.supernode].columns},
+                    columns.data() + (3 * p + c) * lead + first);
+    }
+  }
+  std::size_t widest = 0;
+  for (const Part& part : layout_.parts) widest = std::max(widest, 3 * std::size_t{part.columns});
+  std::vector<double> sums(3 * lane_count * widest * points.size());
+  for (std::size_t s = layout_.parts.size(); s-- > 0;) {
+    if (!met[s]) continue;
+    const Part& part = layout_.parts[s];
+    back_widest({.own = numbers_ + part.own_at,
+                 .below = numbers_ + part.below_at,
+                 .width = 3 * std::size_t{part.columns},
+                 .height = 3 * std::size_t{part.rows},
+                 .first = 3 * std::size_t{part.first},
+                 .rows = layout_.rows.data() + part.rows_at,
+                 .lead = lead,
+                 .columns = columns.data(),
+                 .count = points.size(),
+                 .sums = sums.data()});
+  }
+  Eigen::MatrixXd found(static_cast<Eigen::Index>(3 * wanted.size()), static_cast<Eigen::Index>(3 * points.size()));
+  for (std::size_t column = 0; column < 3 * points.size(); ++column)
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      std::copy_n(columns.data() + column * lead + 3 * std::size_t{layout_.position[wanted[i]]}, 3,
+                  found.data() + 3 * (column * wanted.size() + i));
+  return found;
 }
 
 Mat3 compliance_between(const PointResponse& a, const PointResponse& b, PackedFactor::Kernel kernel) {

@@ -5,7 +5,11 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/geometry.h"
+#include "core/mapped_file.h"
+#include "fem/solid/factor_layout.h"
 #include "fem/solid/multifrontal_cholesky.h"
 #include "fem/zero_pages.h"
 
@@ -44,16 +48,19 @@ class PackedFactor {
  public:
   // Room for a factor of this structure, whose panels take() brings.
   explicit PackedFactor(const SymbolicFactor& symbolic);
+  // A factor whose numbers stand in a file, from this byte on, a multiple of 8. The file must have all of them.
+  PackedFactor(FactorLayout layout, MappedFile file, std::size_t at);
   // Copies a factor that was kept whole, on this thread; it may be destroyed afterwards.
   explicit PackedFactor(const MultifrontalCholesky& factor);
 
   // The panel of a supernode, once each (FactorOptions::finished); `pool` shares the work.
   void take(std::size_t supernode, const double* panel, ThreadPool& pool);
 
-  std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(position_.size()); }
+  std::uint32_t nodes() const noexcept { return static_cast<std::uint32_t>(layout_.position.size()); }
+  const FactorLayout& layout() const noexcept { return layout_; }
   std::size_t bytes() const noexcept;
   // The factor's numbers in the order in which they are kept.
-  std::span<const double> numbers() const noexcept { return {numbers_.data(), numbers_size_}; }
+  std::span<const double> numbers() const noexcept { return {numbers_, layout_.numbers}; }
 
   enum class Kernel {
     widest,  // the widest registers that the processor has
@@ -62,23 +69,19 @@ class PackedFactor {
   // Of each point in turn. Points asked for together share reading the factor, so lie close to each other best.
   std::vector<PointResponse> respond(std::span<const CarriedPoint> points, Kernel kernel = Kernel::widest) const;
 
+  // mm/N: how the nodes `wanted` move by unit forces on each of these points, whose responses they are: 3 rows a node
+  // and 3 columns a point. Reads the factor once, for all that is on the paths of these nodes to the root.
+  Eigen::MatrixXd displacements(std::span<const PointResponse> points, std::span<const std::uint32_t> wanted) const;
+
  private:
-  struct Part {
-    std::uint32_t first = 0, columns = 0;  // nodes, in the order of elimination
-    std::uint32_t rows = 0;                // nodes below
-    std::size_t rows_at = 0;               // into rows_
-    std::size_t own_at = 0, below_at = 0;  // into numbers_
-    std::uint32_t parent = 0;              // a part after it; itself: none
-  };
+  using Part = FactorLayout::Part;
   void pack_own(const Part& part, const double* panel, std::size_t strip_number);
   void pack_below(const Part& part, const double* panel, std::size_t strip_number);
 
-  std::vector<std::uint32_t> position_;  // of each node in the order of elimination
-  std::vector<std::uint32_t> part_of_;   // by position
-  std::vector<std::uint32_t> rows_;      // positions
-  std::vector<Part> parts_;              // one a supernode
-  std::size_t numbers_size_ = 0;
-  ZeroPages numbers_;
+  FactorLayout layout_;
+  ZeroPages pages_;  // where the numbers are ...
+  MappedFile file_;  // ... or in here
+  const double* numbers_ = nullptr;
 };
 
 // mm/N: the displacement of point `a` (rows x y z) by unit forces on point `b` (columns x y z), from their responses

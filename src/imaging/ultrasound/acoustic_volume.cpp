@@ -328,7 +328,7 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const anatomy::Case& patie
   std::size_t position = 0;
   for (int k = 0; k < slices; ++k) {
     if (progress && k % (slices / progress_reports + 1) == 0)
-      progress("acoustic volume", static_cast<double>(k) / slices);
+      progress("preparing the ultrasound", static_cast<double>(k) / slices);
     for (const float value : smoother.slice(k)) {
       const anatomy::TissueId id = tissues[position++];
       const ImpedanceRule& rule = rules[id];
@@ -338,7 +338,7 @@ std::shared_ptr<const AcousticVolume> acoustic_volume(const anatomy::Case& patie
     }
   }
   smooth_bone_surface(*volume);
-  if (progress) progress("acoustic volume", 1.0);
+  if (progress) progress("preparing the ultrasound", 1.0);
   return volume;
 }
 

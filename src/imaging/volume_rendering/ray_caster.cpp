@@ -20,9 +20,9 @@ constexpr double light_from_right = -0.35, light_from_above = -0.45;  // beside 
 const double length_of_light =
     std::sqrt(1.0 + light_from_right * light_from_right + light_from_above * light_from_above);
 
-void append_row(std::vector<float>& table, const std::array<double, 3>& colour, double opacity) {
+void append_row(std::vector<float>& table, const std::array<double, 3>& colour) {
   for (const double part : colour) table.push_back(static_cast<float>(part));
-  table.push_back(static_cast<float>(opacity));
+  table.push_back(0.0F);
 }
 
 std::uint32_t byte_of(float share) {
@@ -70,7 +70,8 @@ RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeL
       index_from_mm_(volume_->grid.spacing.cwiseInverse().asDiagonal() * volume_->grid.direction.transpose()),
       index_of_origin_(volume_->to_index(Vec3::Zero())) {
   depth_.resize(scale_size);
-  for (std::vector<float>& table : shown_) table.reserve(4 * scale_size);
+  for (std::vector<float>& table : shown_) table.reserve(scale_size);
+  colours_.reserve(4 * scale_size);
   for (int row = 0; row < scale_size; ++row) {
     const double hounsfield = row + scale_from;
     const double opacity = std::clamp(look.transfer.opacity_at(hounsfield), 0.0, most_opacity);
@@ -83,16 +84,17 @@ RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeL
       // Never quite black: what is opaque can be told from the background.
       colour.fill(std::clamp((hounsfield - look.level) / look.window + 0.5, 0.06, 1.0));
     }
+    append_row(colours_, colour);
     double passed = std::exp(-depth * step);
     for (std::vector<float>& table : shown_) {
-      append_row(table, colour, 1.0 - passed);
+      table.push_back(static_cast<float>(1.0 - passed));
       passed *= passed;
     }
   }
   if (look.mode == VolumeMode::colour && look.tissue_colours && !volume_->tissues.empty()) {
     for (const std::uint32_t colour : look.tissues) {
       append_row(tissue_colours_,
-                 {(colour >> 16U & 0xFFU) / 255.0, (colour >> 8U & 0xFFU) / 255.0, (colour & 0xFFU) / 255.0}, 0.0);
+                 {(colour >> 16U & 0xFFU) / 255.0, (colour >> 8U & 0xFFU) / 255.0, (colour & 0xFFU) / 255.0});
     }
   }
   find_skips();
@@ -115,6 +117,22 @@ void RayCaster::find_skips() {
 
 void RayCaster::skip_nothing() {
   std::fill(away_.begin(), away_.end(), std::uint8_t{0});
+}
+
+void RayCaster::set_moved(const RestOffsets* moved) {
+  moved_.clear();
+  moved_blocks_ = 0;
+  if (moved == nullptr) return;
+  moved_lattice_ = moved->lattice;
+  moved_.reserve(moved->offsets.size() / 3 * 4);
+  double most = 0.0;
+  for (std::size_t i = 0; i + 2 < moved->offsets.size(); i += 3) {
+    const Vec3 offset = index_from_mm_ * Eigen::Map<const Eigen::Vector3f>(moved->offsets.data() + i).cast<double>();
+    most = std::max(most, offset.cwiseAbs().maxCoeff());
+    for (int axis = 0; axis < 3; ++axis) moved_.push_back(static_cast<float>(offset[axis]));
+    moved_.push_back(0.0F);
+  }
+  moved_blocks_ = static_cast<int>(std::ceil(std::min(most / PreparedVolume::block, 255.0)));
 }
 
 CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bool far_apart) const {
@@ -168,15 +186,27 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bo
     field.blocks[a] = volume.blocks[a];
   }
   field.depth = depth_.data();
+  field.colours = colours_.data();
   static_assert(kernel::step_lengths == std::tuple_size_v<decltype(shown_)>);
   for (std::size_t table = 0; table < shown_.size(); ++table) field.shown[table] = shown_[table].data();
   field.tissue_colours = tissue_colours_.data();
   field.step = static_cast<float>(step_);
+  if (!moved_.empty()) {
+    field.moved = moved_.data();
+    field.moved_spacing = static_cast<float>(moved_lattice_.spacing);
+    field.moved_blocks = moved_blocks_;
+    const Vec3 entry_place = (eye + enters * direction - moved_lattice_.corner) / moved_lattice_.spacing;
+    for (int axis = 0; axis < 3; ++axis) {
+      field.moved_size[axis] = moved_lattice_.size[static_cast<std::size_t>(axis)];
+      way.lattice_entry[axis] = static_cast<float>(entry_place[axis]);
+      way.lattice_direction[axis] = static_cast<float>(direction[axis] / moved_lattice_.spacing);
+    }
+  }
   kernel::Met met;
   switch (look_.mode) {
     case VolumeMode::colour:
     case VolumeMode::grey:
-      kernel::cast_light(field, way, met);
+      field.moved != nullptr ? kernel::cast_moved_light(field, way, met) : kernel::cast_light(field, way, met);
       break;
     case VolumeMode::maximum:
       kernel::cast_maximum(field, way, met);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/thread_pool.h"
+#include "imaging/rest_offsets.h"
 #include "imaging/volume_rendering/prepared_volume.h"
 #include "imaging/volume_rendering/transfer_function.h"
 
@@ -67,6 +68,9 @@ class RayCaster {
   // The colour of what a ray met, 0xffRRGGBB.
   std::uint32_t colour(const CastRay& ray) const;
 
+  // From now on what lies at each place is drawn where it has moved to. Light falls on it as at rest. Null: it rests.
+  void set_moved(const RestOffsets* moved);
+
   const VolumeLook& look() const { return look_; }
   const PreparedVolume& volume() const { return *volume_; }
   double step() const { return step_; }
@@ -82,12 +86,15 @@ class RayCaster {
   Mat3 index_from_mm_;    // LPS mm to the index with the border: this times the point
   Vec3 index_of_origin_;  // plus this
   // By HU from -1024 to 3071.
-  std::vector<float> depth_;  // optical, of 1 mm
-  // Red, green, blue and the opacity of one step, of one twice and of one four times as long.
-  std::array<std::vector<float>, 3> shown_;
-  std::vector<float> tissue_colours_;  // red, green, blue, 0 by TissueId; empty: not used
+  std::vector<float> depth_;                 // optical, of 1 mm
+  std::array<std::vector<float>, 3> shown_;  // the opacity of one step, of one twice and of one four times as long
+  std::vector<float> colours_;               // red, green, blue, 0
+  std::vector<float> tissue_colours_;        // red, green, blue, 0 by TissueId; empty: not used
   // Of every block: how many blocks away, in the largest of the three directions, something is shown; 0: in it.
   std::vector<std::uint8_t> away_;
+  PointLattice moved_lattice_;
+  std::vector<float> moved_;  // index, see kernel::Field; empty: nothing has moved
+  int moved_blocks_ = 0;
 };
 
 // A step of so many of the finest voxels of a volume, mm.

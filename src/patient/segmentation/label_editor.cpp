@@ -71,6 +71,13 @@ void LabelEditor::replace(const SegmentMask& mask, std::uint16_t label, Overwrit
   commit();
 }
 
+void LabelEditor::take(const anatomy::LabelVolume& labels) {
+  if (labels.voxels.size() != labels_.voxels.size()) throw std::invalid_argument("labels of another size");
+  commit();
+  for (std::size_t i = 0; i < labels.voxels.size(); ++i) set(i, labels.voxels[i]);
+  commit();
+}
+
 void LabelEditor::commit() {
   if (open_.empty()) return;
   for (std::size_t i = now_; i < steps_.size(); ++i) used_ -= steps_[i].size() * sizeof(Change);

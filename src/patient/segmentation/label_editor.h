@@ -42,6 +42,9 @@ class LabelEditor {
   // The structure `label` becomes `mask`, which lies on the same lattice; a step of its own. Without `only_add` what
   // it had outside the mask goes. Throws std::invalid_argument for a mask of another size.
   void replace(const SegmentMask& mask, std::uint16_t label, Overwriting over, bool only_add);
+  // All labels become these, which lie on the same lattice; a step of its own. Throws std::invalid_argument for
+  // others.
+  void take(const anatomy::LabelVolume& labels);
   // What was painted since the last step becomes a step; nothing when it changed nothing.
   void commit();
 

@@ -83,6 +83,41 @@ TEST(BodyThread, follows_the_probe_and_tells_picture_and_needle_the_same) {
   EXPECT_FALSE(moving.failed());
 }
 
+// The probe feels what a needle does to the nodes that it holds, and the body's motion is as without it.
+TEST(BodyThread, a_needle_in_the_hand_is_felt_by_the_probe) {
+  BodyThread alone(small_box(), quick_settings()), pushed(small_box(), quick_settings());
+  const Wrench by_needle{Vec3(0.1, -0.2, 0.7), Vec3(3.0, 4.0, -2.0)};
+  pushed.push_probe(by_needle);
+  double time = 0.0;
+  const auto settle = [&](BodyThread& body) {
+    body.move_probe(probe_down(6.0));
+    return runs_until(body, time, [](const BodySnapshot& now) { return now.probe_nodes > 3U && now.steps > 60; });
+  };
+  ASSERT_TRUE(settle(alone));
+  ASSERT_TRUE(settle(pushed));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // no step comes any more
+  // Both rest in the same place: steps that are many more bring nothing new.
+  EXPECT_LT((pushed.snapshot().on_probe.force - alone.snapshot().on_probe.force - by_needle.force).norm(), 0.01);
+  const ProbeReading& reading = pushed.reading();
+  EXPECT_EQ(reading.by_needle.force, by_needle.force);
+  EXPECT_EQ(reading.on_probe.force, pushed.snapshot().on_probe.force);
+  Vec3 middle = Vec3::Zero();
+  const BodyField& field = pushed.motion()->read();
+  ASSERT_EQ(field.held_count, reading.nodes);
+  const BodyDescription box = small_box();
+  for (const std::uint32_t node : field.held_nodes())
+    middle += (box.mesh.nodes[node] + Eigen::Map<const Eigen::Vector3f>(&field.moved[3 * node]).cast<double>()) /
+              static_cast<double>(field.held_count);
+  const Vec3 torque = by_needle.torque + (middle - probe_down(6.0).translation()).cross(by_needle.force);
+  EXPECT_LT((reading.by_needle.torque - torque).norm(), 1e-4);
+  // Lifted, there is nothing to push.
+  pushed.move_probe(std::nullopt);
+  const std::uint64_t before = pushed.snapshot().steps;
+  ASSERT_TRUE(runs_until(pushed, time, [before](const BodySnapshot& now) { return now.steps > before + 5; }));
+  EXPECT_EQ(pushed.snapshot().on_probe.force, Vec3::Zero());
+  EXPECT_EQ(pushed.snapshot().on_probe.torque, Vec3::Zero());
+}
+
 // A probe that is held still 3 mm above the skin of a patient who breathes: skin that rises by 9 mm there is pressed
 // as deep as by a probe that comes down by 9 mm, and what is recorded of a step is all that it takes to make it
 // again.

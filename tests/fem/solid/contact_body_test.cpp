@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -154,11 +156,24 @@ std::pair<double, double> spread_of(const std::vector<double>& values) {
   return {mean, std::sqrt(square)};
 }
 
+// mm: 3.3, 2.6, 2.0 and 1.58 are some 5,000, 10,000, 20,000 and 40,000 nodes of the block. With BODKIN_LARGE_BODIES
+// all of them, which takes minutes.
+std::vector<double> edges_of_meshes(std::vector<double> usual) {
+  if (std::getenv("BODKIN_LARGE_BODIES") == nullptr) return usual;
+  return {3.3, 2.6, 2.0, 1.58};
+}
+
+void expect_within_7_percent(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  EXPECT_LT(*most, 1.07 * *least) << ::testing::PrintToString(values);
+  std::printf("  from the coarsest mesh to the finest: %s\n", ::testing::PrintToString(values).c_str());
+}
+
 // The design's aim: 7 % between meshes, 3 % between places of one. The needle has gone through the skin and pushes
 // the ligament when its force is compared.
 TEST(ContactBody, dimpling_and_force_hardly_depend_on_the_mesh_or_on_the_place_in_it) {
   std::vector<double> dimples, forces;
-  for (const double h : {3.3, 2.6}) {  // some 5,000 and 10,000 nodes
+  for (const double h : edges_of_meshes({3.3, 2.6})) {
     const ContactBody body(block(h, 3));
     std::vector<double> dimples_here, forces_here;
     for (int shift = 0; shift < 5; ++shift) {
@@ -175,13 +190,13 @@ TEST(ContactBody, dimpling_and_force_hardly_depend_on_the_mesh_or_on_the_place_i
       all->push_back(mean);
     }
   }
-  EXPECT_NEAR(dimples[0] / dimples[1], 1.0, 0.07) << dimples[0] << " " << dimples[1];
-  EXPECT_NEAR(forces[0] / forces[1], 1.0, 0.07) << forces[0] << " " << forces[1];
+  expect_within_7_percent(dimples);
+  expect_within_7_percent(forces);
 }
 
 TEST(ContactBody, dimpling_converges_on_finer_meshes_and_over_many_shifts) {
   std::vector<double> dimples;
-  for (const double h : {3.3, 2.6, 2.0}) {  // some 5,000, 10,000 and 20,000 nodes
+  for (const double h : edges_of_meshes({3.3, 2.6, 2.0})) {
     const ContactBody body(block(h, 4));
     std::vector<double> here;
     for (int shift = 0; shift < 20; ++shift) {
@@ -194,8 +209,7 @@ TEST(ContactBody, dimpling_converges_on_finer_meshes_and_over_many_shifts) {
     EXPECT_LT(deviation, 0.03 * mean) << h;
     dimples.push_back(mean);
   }
-  const auto [least, most] = std::minmax_element(dimples.begin(), dimples.end());
-  EXPECT_LT(*most, 1.07 * *least);
+  expect_within_7_percent(dimples);
 }
 
 TEST(MeshPatch, refining_keeps_the_volume_and_cuts_every_element_into_eight) {

@@ -13,10 +13,12 @@
 
 #include "tests/fem/lattice_body.h"
 #include "tests/sanitized.h"
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "core/random.h"
 #include "fem/embedded_needle.h"
+#include "fem/solid/line_points.h"
 
 namespace bodkin {
 
@@ -126,6 +128,85 @@ TEST(ContactStream, a_new_line_takes_the_place_of_one_that_is_being_computed) {
       EXPECT_EQ(line->body().nodes[point].x(), entry.x()) << "of another line";
   }
   EXPECT_TRUE(line->wait_for(ContactLine::most_points).complete);
+}
+
+// The points of a line that turns are those of the same stations in one go: with the points that stay the new ones
+// are coupled as if all had been known from the beginning.
+TEST(ContactStream, a_line_that_turns_keeps_its_points_and_couples_the_new_ones_with_them) {
+  const auto body = box_of(9);
+  const auto patient = patient_in_box();
+  const Vec3 down = -Vec3::UnitZ(), aside = Vec3(0.5, 0.2, -1.0).normalized();
+  constexpr std::size_t kept = 9;
+  const BoundPoints unbound;
+  LinePoints whole(*body, 1.0, unbound);
+  whole.add(stations_along({entry_in_box, entry_in_box + 40.0 * down}, 40.0, 1.0, *patient), down);
+  ASSERT_GT(whole.size(), kept);
+  whole.compute(0, kept);
+  const Vec3 turn = whole.point(kept - 1).place + 0.3 * down;
+  whole.keep_first(kept);
+  const double left = 40.0 - (turn - entry_in_box).norm();
+  const auto ahead = stations_ahead(turn, aside, left, 1.0, whole.tissue(kept - 1), *patient);
+  EXPECT_TRUE(std::ranges::any_of(ahead, [](const NeedleStation& station) {
+    return station.resists && station.tissue == tissue::ligamentum_flavum;
+  }));
+  whole.add(ahead, aside);
+  whole.compute(0, whole.size());
+
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(body, patient, {.length = 40.0}, line);
+  for (const std::size_t waited : {kept, ContactLine::most_points}) {  // while it is computed, and later
+    line->ask(entry_in_box, down);
+    line->wait_for(waited);
+    line->lead_on(turn, aside, kept);
+    const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
+    ASSERT_TRUE(found.complete);
+    ASSERT_EQ(found.points, whole.size());
+    for (std::size_t j = 0; j < found.points; ++j) {
+      const ContactPoint expected = whole.point(j);
+      EXPECT_EQ(line->body().nodes[j], expected.place) << j;
+      EXPECT_EQ(line->body().tissues[j], expected.tissue) << j;
+      for (std::size_t i = 0; i <= j; ++i) {
+        const auto row = static_cast<Eigen::Index>(3 * i), column = static_cast<Eigen::Index>(3 * j);
+        EXPECT_EQ((line->body().compliance.block<3, 3>(row, column)), expected.between[i]) << i << " " << j;
+      }
+    }
+  }
+}
+
+// Those of the planned line are the patient's own, and a needle can turn away from them.
+TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
+  const auto body = box_of(9);
+  const auto patient = std::make_shared<Case>(*patient_in_box());
+  const Vec3 down = -Vec3::UnitZ(), aside = Vec3(0.5, 0.2, -1.0).normalized();
+  const NeedlePath planned{entry_in_box, entry_in_box + 40.0 * down};
+  CondensedBody marked = complete_line(*body, *patient, entry_in_box, down);
+  marked.compliance(0, 0) += 1.0;  // to be told from what is computed
+  patient->corridor = {std::make_shared<const CondensedBody>(marked), planned};
+  const auto line = std::make_shared<ContactLine>();
+  const ContactStream stream(body, patient, {.length = 40.0}, line);
+  line->ask_planned(planned.entry, planned.direction());
+  const ContactLine::Progress known = line->wait_for(ContactLine::most_points);
+  ASSERT_EQ(known.points, marked.nodes.size());
+  const auto size = marked.compliance.rows();
+  EXPECT_EQ(line->body().compliance.topLeftCorner(size, size), marked.compliance);
+  constexpr std::size_t kept = 5;
+  const Vec3 turn = marked.nodes[kept - 1] + 0.4 * down;
+  line->lead_on(turn, aside, kept);
+  const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
+  ASSERT_TRUE(found.complete);
+  ASSERT_GT(found.points, kept + 10);
+  constexpr Eigen::Index fixed = 3 * kept;
+  EXPECT_EQ(line->body().compliance.topLeftCorner(fixed, fixed), marked.compliance.topLeftCorner(fixed, fixed));
+  for (std::size_t i = kept; i < found.points; ++i) {
+    const Vec3 from = line->body().nodes[i] - turn;
+    EXPECT_LT((from - from.dot(aside) * aside).norm(), 1e-9) << i;
+  }
+  const auto all = static_cast<Eigen::Index>(3 * found.points);
+  Eigen::MatrixXd compliance = line->body().compliance.topLeftCorner(all, all);
+  compliance(0, 0) -= 1.0;
+  EXPECT_GT(
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(compliance, Eigen::EigenvaluesOnly).eigenvalues().minCoeff(),
+      0.0);
 }
 
 TEST(ContactStream, waiting_ends_when_the_stream_does) {

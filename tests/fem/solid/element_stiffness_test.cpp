@@ -44,7 +44,7 @@ TEST(ElementStiffness, is_symmetric_and_resists_everything_but_the_six_rigid_mot
     const Corners corners = random_corners(random);
     const auto k = element_stiffness(corners, {random.uniform(0.001, 1.0), random.uniform(-0.9, 0.49)});
     EXPECT_EQ(k, k.transpose());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> solver(k, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(k, Eigen::EigenvaluesOnly);
     const auto& values = solver.eigenvalues();
     for (Eigen::Index i = 0; i < 6; ++i) EXPECT_LT(std::abs(values(i)), 1e-13 * values(11));
     for (Eigen::Index i = 6; i < 12; ++i) EXPECT_GT(values(i), 1e-6 * values(11));
@@ -131,7 +131,7 @@ TEST(FibreStiffness, is_symmetric_and_resists_everything_but_the_six_rigid_motio
   for (int round = 0; round < 50; ++round) {
     const auto k = element_stiffness(random_corners(random), any_fibres(random));
     EXPECT_EQ(k, k.transpose());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> solver(k, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(k, Eigen::EigenvaluesOnly);
     for (Eigen::Index i = 0; i < 6; ++i)
       EXPECT_LT(std::abs(solver.eigenvalues()(i)), 1e-12 * solver.eigenvalues()(11));
     for (Eigen::Index i = 6; i < 12; ++i) EXPECT_GT(solver.eigenvalues()(i), 1e-7 * solver.eigenvalues()(11));

@@ -70,6 +70,32 @@ TEST(NeedleStations, lie_at_every_border_and_at_equal_distances_behind_it) {
     EXPECT_EQ(station.resists, station.border && station.tissue != tissue::muscle) << station.depth;
 }
 
+// Inside the body: no border where the needle goes on in the tissue that it is in.
+TEST(NeedleStations, ahead_of_a_needle_that_has_turned_begin_in_the_tissue_behind_it) {
+  const Case patient =
+      layered_patient({{0.0, tissue::skin}, {2.0, tissue::muscle}, {6.0, tissue::ligamentum_flavum}});
+  const Vec3 place(0.0, 0.0, 3.0), along = Vec3(1.0, 0.0, 1.0).normalized();
+  const std::vector<NeedleStation> stations = stations_ahead(place, along, 10.0, 1.0, tissue::muscle, patient);
+  ASSERT_GE(stations.size(), 8U);
+  EXPECT_FALSE(stations.front().border);
+  EXPECT_NEAR(stations.front().depth, 1.0, 1e-9);
+  int borders = 0;
+  for (const NeedleStation& station : stations) {
+    EXPECT_LT((station.place - place - station.depth * along).norm(), 1e-9);
+    if (!station.border) continue;
+    ++borders;
+    EXPECT_NEAR(station.depth, 3.0 * std::sqrt(2.0), 0.06);
+    EXPECT_EQ(station.tissue, tissue::ligamentum_flavum);
+    EXPECT_TRUE(station.resists);
+  }
+  EXPECT_EQ(borders, 1);
+  // The needle has not punctured what the voxels have there already: it lies before the tip.
+  const std::vector<NeedleStation> before = stations_ahead(place, along, 10.0, 1.0, tissue::skin, patient);
+  EXPECT_TRUE(before.front().border);
+  EXPECT_FALSE(before.front().resists) << "skin takes more force than muscle";
+  EXPECT_NEAR(before.front().depth, 0.0, 1e-9);
+}
+
 TEST(NeedleStations, end_at_what_is_rigid_and_begin_behind_air) {
   const Case patient = layered_patient({{0.0, tissue::skin}, {5.0, tissue::cortical_bone}});
   const std::vector<NeedleStation> stations = stations_along(down(20.0), 20.0, 1.0, patient);

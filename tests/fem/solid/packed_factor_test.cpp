@@ -59,7 +59,18 @@ TEST(PackedFactor, the_compliance_between_the_points_of_two_needles_is_that_of_t
       for (std::size_t corner = 0; corner < 4; ++corner)
         spread.block<3, 3>(3 * Eigen::Index{place.nodes[corner]}, 3 * p) += place.weights[corner] * Mat3::Identity();
     }
-    const Eigen::MatrixXd expected = spread.transpose() * elastic.displacement(spread);
+    const Eigen::MatrixXd everywhere = elastic.displacement(spread);
+    std::vector<std::uint32_t> some;  // a fixed node among them
+    for (std::uint32_t node = 0; node < description->mesh.nodes.size(); node += 5) some.push_back(node);
+    const Eigen::MatrixXd there = body.displacements(carried(body, places), some);
+    for (std::size_t i = 0; i < some.size(); ++i)
+      ASSERT_LT((there.middleRows<3>(3 * static_cast<Eigen::Index>(i)) -
+                 everywhere.middleRows<3>(3 * Eigen::Index{some[i]}))
+                    .cwiseAbs()
+                    .maxCoeff(),
+                1e-12 * everywhere.cwiseAbs().maxCoeff())
+          << some[i];
+    const Eigen::MatrixXd expected = spread.transpose() * everywhere;
     for (Eigen::Index i = 0; i < columns / 3; ++i) {
       for (Eigen::Index j = 0; j < columns / 3; ++j) {
         const Mat3 found =

@@ -90,6 +90,41 @@ TEST(DescribeBody, bone_is_held_unless_the_case_says_otherwise) {
   EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path).body, {5, 20, 20}));
 }
 
+// Pressed at the skin: what is held stays where it is, what lies between moves, and bone and the far side bear the
+// whole push.
+TEST(DescribeBody, bone_and_the_far_side_do_not_move_and_bear_what_presses_the_skin) {
+  TetrahedralMesh mesh = block_of_muscle();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto& corners = mesh.elements[e];
+    const auto is_in_bone = [&](std::uint32_t node) {
+      return mesh.nodes[node].x() < 10.1 && mesh.nodes[node].z() > 19.9 && mesh.nodes[node].z() < 30.1;
+    };
+    if (std::all_of(corners.begin(), corners.end(), is_in_bone)) mesh.tissues[e] = tissue::cortical_bone;
+  }
+  const BodyDescription body = describe_body(mesh, block_patient(), {}, block_path).body;
+  const auto node_at = [&](const Vec3& at) {
+    const auto found = std::find_if(body.mesh.nodes.begin(), body.mesh.nodes.end(),
+                                    [&](const Vec3& node) { return (node - at).norm() < 1e-9; });
+    return static_cast<Eigen::Index>(found - body.mesh.nodes.begin());
+  };
+  const ElasticBody solid(body, plan_body(body), {.keep_field = true});
+  const Vec3 push(0.0, 0.0, 0.5);  // N, inwards
+  const auto rows = 3 * static_cast<Eigen::Index>(body.mesh.nodes.size());
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(rows, 1);
+  forces.block<3, 1>(3 * node_at({20, 20, 0}), 0) = push;
+  const Eigen::VectorXd moved = solid.displacement(forces);
+  const auto at = [&](const Vec3& place) { return Vec3(moved.segment<3>(3 * node_at(place))); };
+  for (const Vec3& bone : {Vec3(0, 20, 20), Vec3(10, 20, 25), Vec3(5, 35, 30)}) EXPECT_EQ(at(bone), Vec3::Zero());
+  for (const double beside : {0.0, 20.0, 40.0}) EXPECT_EQ(at({beside, 20, 40}), Vec3::Zero()) << "the far side";
+  EXPECT_GT(at({20, 20, 0}).z(), 0.1) << "mm, under the finger";
+  EXPECT_GT(at({20, 20, 20}).z(), 0.02) << "mm, between it and the far side";
+  EXPECT_GT(at({5, 20, 15}).norm(), 0.002) << "mm, muscle before the bone";
+  const Eigen::VectorXd held = elastic_forces(body.mesh, body.materials, moved);
+  Vec3 borne = Vec3::Zero();
+  for (const std::uint32_t node : body.fixed) borne += held.segment<3>(3 * static_cast<Eigen::Index>(node));
+  EXPECT_LT((borne + push).norm(), 1e-6) << borne.transpose();
+}
+
 TEST(DescribeBody, the_corridor_is_what_lies_nearest_to_the_path) {
   DeformableBodySettings settings;
   settings.corridor_radius = 7.5;

@@ -271,7 +271,7 @@ TEST(AcousticVolume, a_synthetic_patient_sounds_like_its_tissues) {
 TEST(AcousticVolume, reports_where_it_is) {
   std::vector<double> fractions;
   acoustic_volume(acoustic_block(tissue::organ, {4, 4, 100}), [&](std::string_view stage, double fraction) {
-    EXPECT_EQ(stage, "acoustic volume");
+    EXPECT_EQ(stage, "preparing the ultrasound");
     fractions.push_back(fraction);
   });
   EXPECT_LE(fractions.size(), 40U);

@@ -134,5 +134,21 @@ TEST(LabelEditor, a_mask_becomes_the_structure) {
   EXPECT_THROW(editor.replace(SegmentMask(small), 4, Overwriting::all, false), std::invalid_argument);
 }
 
+TEST(LabelEditor, takes_all_labels_of_another_volume_as_one_step) {
+  anatomy::Grid grid;
+  grid.size = {4, 3, 2};
+  anatomy::LabelVolume before(grid), after(grid);
+  before.at(1, 1, 0) = 5;
+  after.at(2, 1, 1) = 7;
+  LabelEditor editor(before);
+  editor.take(after);
+  EXPECT_EQ(editor.labels().voxels, after.voxels);
+  editor.undo();
+  EXPECT_EQ(editor.labels().voxels, before.voxels);
+  EXPECT_FALSE(editor.can_undo());
+  grid.size = {4, 3, 1};
+  EXPECT_THROW(editor.take(anatomy::LabelVolume(grid)), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace bodkin::patient
