@@ -178,7 +178,7 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
                                           .needle_held = map_.is_held(),
                                           .guard = guard_.state()})
                                : Control{};
-  map_.carry(answer.carried);
+  map_.carry(answer.carried, answer.turned);
   grasp_ = map_.is_held() ? 0.0 : std::min(1.0, grasp_ + dt / grasp_time_);
   Wrench wanted = map_.felt(answer.wrench);
   if (grasp_ < 1.0) wanted = {grasp_ * wanted.force, grasp_ * wanted.torque};

@@ -29,8 +29,10 @@ struct ControlInput {
 struct Control {
   Wrench wrench;     // on the hand that would hold the needle: LPS, N, N mm about the tip
   double age = 0.0;  // s since the state behind it was computed; 0 = in this tick
-  // mm, LPS: by which tissue takes a held needle along until the next tick; of a needle in a hand it is ignored.
+  // By which tissue takes a held needle along until the next tick, its tip (mm, LPS) and its axes, turned about the
+  // tip; of a needle in a hand it is ignored.
   Vec3 carried = Vec3::Zero();
+  Mat3 turned = Mat3::Identity();
 };
 
 // Anything that turns a needle's pose into a wrench: tissue, a spring, nothing. Called once a tick, in the servo's

@@ -101,8 +101,12 @@ const Pose& WorkspaceMap::step(const Pose& hand, double dt) noexcept {
   return needle_;
 }
 
-void WorkspaceMap::carry(const Vec3& by) noexcept {
-  if (is_held() && begun_ && by.allFinite()) needle_.translation() += by;
+void WorkspaceMap::carry(const Vec3& by, const Mat3& turn) noexcept {
+  if (!is_held() || !begun_ || !by.allFinite() || !is_rotation(turn, rotation_slack)) return;
+  needle_.translation() += by;
+  // A quaternion between, so that many small turns do not wear the axes.
+  if (turn != Mat3::Identity())
+    needle_.linear() = Eigen::Quaterniond(Mat3(turn * needle_.linear())).normalized().toRotationMatrix();
 }
 
 Wrench WorkspaceMap::felt(const Wrench& on_needle) const noexcept {

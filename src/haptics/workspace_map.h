@@ -57,8 +57,9 @@ class WorkspaceMap {
   // not finite or no rotation.
   void move_body(const Vec3& middle, const Mat3& rotation) noexcept;
 
-  // While the needle is held: the tissue that it sticks in takes it along by `by`, mm (LPS). Ignored otherwise.
-  void carry(const Vec3& by) noexcept;
+  // While the needle is held: the tissue that it sticks in takes its tip along by `by`, mm (LPS), and turns it about
+  // the tip. Ignored otherwise, and where it is not finite or no rotation.
+  void carry(const Vec3& by, const Mat3& turn = Mat3::Identity()) noexcept;
 
   // k s: how much stiffer than it is the needle's surroundings feel. A device that renders 1 N/mm stably renders
   // tissue of at most 1 / stiffness_factor() N/mm.

@@ -95,6 +95,10 @@ anatomy::TissueLibrary library_from(std::vector<anatomy::TissueProperties> tissu
     if (const std::string* colour = element.find("colour"); colour != nullptr)
       entry->colour = static_cast<std::uint32_t>(std::stoul(colour->substr(1), nullptr, 16));
     read_tissue_forces(element, origin, *entry);
+    // The description of the tissue it starts from is not that of one with forces of its own.
+    const bool has_forces = std::any_of(element.children.begin(), element.children.end(),
+                                        [](const XmlElement& child) { return child.name != "syringe"; });
+    if (has_forces && element.child("physical") == nullptr) entry->physical = {};
   }
   return anatomy::TissueLibrary(std::move(tissues));
 }

@@ -79,6 +79,12 @@ simulation::OperatorCondition condition_from(const io::XmlElement& element, cons
   read("force_below_N", condition.force_below);
   read("force_drop_N", condition.force_drop);
   read("hardness_above_N_per_mm", condition.hardness_above);
+  read("drop_share", condition.drop_share);
+  read("force_above_share", condition.force_above_share);
+  condition.share_of = element.string("share_of", "");
+  if (condition.has_share() == condition.share_of.empty())
+    io::fail_at(origin, element.line,
+                "drop_share and force_above_share need a tissue, share_of, and it needs one of them");
   if (!any)
     io::fail_at(origin, element.line,
                 "this 'until' says nothing to wait for, expected at least one of its conditions");
@@ -123,6 +129,9 @@ nlohmann::ordered_json condition_json(const simulation::OperatorCondition& condi
   put("force_below_N", condition.force_below);
   put("force_drop_N", condition.force_drop);
   put("hardness_above_N_per_mm", condition.hardness_above);
+  put("drop_share", condition.drop_share);
+  put("force_above_share", condition.force_above_share);
+  if (!condition.share_of.empty()) json["share_of"] = condition.share_of;
   json["then"] = condition.next < 0 ? "end" : script.phases[static_cast<std::size_t>(condition.next)].name;
   return json;
 }

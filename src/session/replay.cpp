@@ -112,7 +112,8 @@ class PointsTaken {
     });
     if (!own_lines) return;
     std::shared_ptr<fem::ContactLine> line;
-    if (body != nullptr && port != nullptr) line = port->stream_points(true);
+    if (body != nullptr && port != nullptr)
+      line = port->stream_points(simulation::BodyPort::PointTiming::as_recorded);
     if (line == nullptr) {
       throw InputError(
           "the session's needle met contact points of its own line, but the resistance has none here; record it "
@@ -124,8 +125,10 @@ class PointsTaken {
 
   void prepare_for(std::span<const forces::Event> events) {
     if (stream_ == nullptr) return;
-    for (const forces::Event& event : events)
+    for (const forces::Event& event : events) {
       if (event.kind == forces::EventKind::points_taken) port_->take_points(event.value);
+      if (event.kind == forces::EventKind::points_coupled) port_->take_coupling();
+    }
   }
 
  private:

@@ -130,7 +130,10 @@ struct SessionWriter::Impl {
   void put_timings(const SessionTimings& timings);
   // What a failure of the database means for the person at the terminal.
   [[noreturn]] void fail(const SQLite::Exception& error) const {
-    throw SystemError(fmt::format("cannot write the session {}: {}", file.string(), error.what()));
+    throw SystemError(fmt::format(
+        "cannot write the session {}: {}; what was recorded until then is safe, free space on its disk before "
+        "you go on",
+        file.string(), error.what()));
   }
 
   fs::path file;
@@ -311,7 +314,8 @@ SessionWriter::SessionWriter(const fs::path& file, const SessionHeader& header, 
     impl_ = std::make_unique<Impl>(file, header);
     place.keep();
   } catch (const SQLite::Exception& error) {
-    throw SystemError(fmt::format("cannot create the session file {}: {}", file.string(), error.what()));
+    throw SystemError(fmt::format("cannot create the session file {}: {}; free space on its disk, or write elsewhere",
+                                  file.string(), error.what()));
   } catch (const fs::filesystem_error& error) {
     throw SystemError(fmt::format("cannot replace the session file {}: {}", file.string(), error.code().message()));
   }

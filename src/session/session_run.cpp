@@ -2,7 +2,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
+#include <utility>
 
+#include "patient/prepared_body.h"
 #include "session/case_digest.h"
 #include "session/operator_file.h"
 #include "session/recorder.h"
@@ -23,6 +26,16 @@ namespace {
 
 constexpr std::uint64_t show_interval = 512;  // ticks
 
+// The points of the needle's own lines; nothing where the body is not there or has none. Only on the clock they may
+// come late.
+std::unique_ptr<fem::ContactStream> points_of(const anatomy::Case& patient, const RunSettings& settings,
+                                              simulation::BodyPort* port) {
+  if (settings.whole_body == nullptr || port == nullptr) return {};
+  using Timing = simulation::BodyPort::PointTiming;
+  return patient::contact_stream(patient, settings.path.length(), settings.whole_body,
+                                 port->stream_points(settings.realtime ? Timing::as_known : Timing::in_time));
+}
+
 // One run of the loop, told apart by what drives it: the processor's speed or the clock.
 class Run {
  public:
@@ -32,6 +45,7 @@ class Run {
         progress_(progress),
         loop_(patient, settings.script, settings.path, settings.seed),
         writer_(settings.output, header, settings.overwrite),
+        stream_(points_of(patient, settings, loop_.body())),
         most_ticks_(static_cast<std::uint64_t>(settings.longest / header.dt)) {}
 
   // The present phase while there is one, the last one afterwards.
@@ -123,6 +137,7 @@ class Run {
   const Progress& progress_;
   simulation::ClosedLoop loop_;
   SessionWriter writer_;
+  std::unique_ptr<fem::ContactStream> stream_;
   RunResult result_;
   std::uint64_t most_ticks_;
   int last_phase_ = 0;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "session/session_file.h"
 
 #include "core/progress.h"
+#include "fem/solid/contact_body.h"
 #include "simulation/operator_script.h"
 
 namespace bodkin::session {
@@ -23,6 +25,8 @@ struct RunSettings {
   bool realtime = false;                    // on the clock instead of as fast as it goes
   std::filesystem::path output;             // the session file
   bool overwrite = false;
+  // Of the patient's deformable body, from patient::prepare_body(): the needle meets it off `path` too. May be null.
+  std::shared_ptr<const fem::ContactBody> whole_body;
   std::function<bool()> gives_up;  // asked before every tick, may be empty: true ends the run, whose session is whole
 };
 

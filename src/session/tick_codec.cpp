@@ -40,13 +40,13 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "constraint",
                                                            "energy"};
 
-constexpr std::array<std::string_view, 28> kind_names = {
+constexpr std::array<std::string_view, 29> kind_names = {
     "contact",         "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
     "tissue_entered",  "withdrawn",          "force_limited",      "fault",          "corridor_left",
     "corridor_taken",  "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
     "hub_contact",     "needle_buckled",     "points_taken",       "points_late",    "palpated",
     "stylet_out",      "stylet_in",          "manometer_on",       "manometer_off",  "pressure_read",
-    "fluid_collected", "hand_lost",          "hand_seen"};
+    "fluid_collected", "hand_lost",          "hand_seen",          "points_coupled"};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>

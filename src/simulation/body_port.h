@@ -16,15 +16,17 @@ namespace bodkin::simulation {
 // how it moves by itself, and what the needle does to it.
 class BodyPort {
  public:
-  // Value of the event corridor_taken for a needle on its own line (stream_points).
+  // Value of the event corridor_taken for a needle beside the planned line (stream_points); on it -1.
   static constexpr double own_line = -2.0;
 
-  // Before the ticks: from now on a needle that touches the body farther than 1.5 mm from the planned line meets the
-  // contact points of its own line, as they become known there; someone has to compute them (fem::ContactStream).
-  // `as_recorded`: it takes points as take_points() says, and waits for them. Null, and nothing done, for a
-  // resistance without contact points.
-  virtual std::shared_ptr<fem::ContactLine> stream_points(bool as_recorded) {
-    static_cast<void>(as_recorded);
+  // When a needle takes the points of its line: as they become known, without waiting; in the ticks that
+  // take_points() says; or, where nothing goes by the clock, each before the needle reaches it.
+  enum class PointTiming { as_known, as_recorded, in_time };
+  // Before the ticks: from now on a needle meets the contact points of its own line wherever it touches the body, and
+  // others ahead of it when it turns; someone has to compute them (fem::ContactStream). In the last two timings it
+  // waits for them. Null, and nothing done, for a resistance without contact points.
+  virtual std::shared_ptr<fem::ContactLine> stream_points(PointTiming timing) {
+    static_cast<void>(timing);
     return {};
   }
   // Before the ticks, and before stream_points(): the body moves by itself from now on, as `motion` says, and takes
@@ -54,14 +56,20 @@ class BodyPort {
   virtual std::uint64_t motion_taken() const noexcept { return 0; }
   // Of a recording, before the tick that has this event (EventKind::points_taken): its value.
   virtual void take_points(double recorded) noexcept { static_cast<void>(recorded); }
+  // Of a recording, before the tick that has this event (EventKind::points_coupled).
+  virtual void take_coupling() noexcept {}
   // The needle's forces on the body in the last tick, by node of its mesh; none without contact.
   virtual fem::NodeForces node_forces() const noexcept = 0;
+  // What the needle did in the last tick to a probe that holds nodes of the mesh, those that were held when the
+  // needle's line was asked for: N, and N mm about the middle of these nodes. The needle's equations have them held,
+  // so that it is what these take to hold them. Zero without contact or probe.
+  virtual Wrench on_held() const noexcept { return {}; }
   // mm from the needle in the body to the one in the hand, where the body is stiffer than the device can render or
   // bone is in the way: what is drawn is the hand's needle less this. 0 without contact.
   virtual Vec3 needle_ahead() const noexcept = 0;
-  // mm, of the last tick: by which the body has moved by itself along the needle, on average over its shaft; of
-  // breath what it is more than at the tip. 0 without contact.
-  virtual Vec3 tissue_motion() const noexcept { return Vec3::Zero(); }
+  // LPS, mm, of the last tick: how the body has moved by itself along the needle's shaft, as the motion of a straight
+  // line (fem::EmbeddedNeedle::carried_along_shaft); of breath what it is more than at the tip. None without contact.
+  virtual Pose tissue_motion() const noexcept { return Pose::Identity(); }
 
  protected:
   ~BodyPort() = default;

@@ -1,10 +1,14 @@
 #include "simulation/closed_loop.h"
 
+#include "simulation/operator_thresholds.h"
+
 namespace bodkin::simulation {
 
 ClosedLoop::ClosedLoop(const anatomy::Case& patient, const OperatorScript& script, const anatomy::NeedlePath& path,
                        std::uint64_t seed)
-    : tick_(patient), operator_(script, path, seed, tick_.dt()), hand_(script.hand, tick_.dt(), mix64(seed ^ 0xD7)) {
+    : tick_(patient),
+      operator_(for_patient(script, patient), path, seed, tick_.dt()),
+      hand_(script.hand, tick_.dt(), mix64(seed ^ 0xD7)) {
   breathes_ = patient.description.breathing.has_value();
   hand_.start(operator_.start());
 }

@@ -23,6 +23,8 @@ class ClosedLoop {
   // The operator's present phase, see Operator::phase.
   int phase() const noexcept { return operator_.phase(); }
   double dt() const noexcept { return tick_.dt(); }
+  // Null for a patient without a deformable body.
+  BodyPort* body() noexcept { return tick_.body(); }
 
  private:
   HapticTick tick_;

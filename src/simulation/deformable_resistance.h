@@ -51,6 +51,21 @@ class DeformableShaft {
   // tip pushes on the surface with the compliance that the prepared line's has, unless it is `open` there.
   void begin_growing(const Vec3& entry, const Vec3& direction, bool open) noexcept;
   void extend(std::size_t points, bool complete) noexcept;
+  // The needle has turned: the points behind the first `points`, which it has reached() at least, are no longer
+  // ahead; extend() adds others.
+  void lead_on(std::size_t points) noexcept {
+    needle_->keep_first(points);
+    growing_ = true;
+  }
+  std::size_t reached() const noexcept { return needle_->reached(); }
+  // The points are coupled with other nodes that something holds (EmbeddedNeedle::exchange).
+  void exchange() noexcept { needle_->exchange(); }
+  bool exchanges() const noexcept { return needle_->exchanges(); }
+  bool exchanged() const noexcept { return needle_->exchanged(); }
+  // Where it would go on from here, as of the last step.
+  fem::EmbeddedNeedle::Ahead goes_on() const noexcept { return needle_->ahead(); }
+  // Whether it is past the last point of its line, and no bone is in the way.
+  bool past_line() const noexcept { return beyond_ && !bone_.met(); }
   // mm, of the points that extend() added, in their order; below 0 for one that is not there.
   double point_depth(std::size_t point) const noexcept { return needle_->point_depth(point); }
   // Of the last step, where something gave way.
@@ -68,9 +83,10 @@ class DeformableShaft {
   bool move_with(std::span<const float> of_mesh, const fem::BodyBreath& breath) noexcept {
     return needle_->move_with(of_mesh, breath);
   }
-  // mm, by which the tissue along the shaft has moved by itself (EmbeddedNeedle::carried_along_shaft).
-  Vec3 tissue_motion() const noexcept { return needle_->carried_along_shaft(); }
-  // Forces on the tissue in the last tick, by node of the mesh.
+  // How the tissue along the shaft has moved by itself (EmbeddedNeedle::carried_along_shaft).
+  Pose tissue_motion() const noexcept { return needle_->carried_along_shaft(); }
+  // Forces on the tissue in the last tick, by contact point, and by node of the mesh.
+  const fem::NodeForces& point_forces() const noexcept { return needle_->node_forces(); }
   fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
   forces::ModelDiagnostics diagnostics() const noexcept { return {tip_force_, ahead_.norm(), nodes_}; }

@@ -1,5 +1,6 @@
 #include "simulation/needle_in_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -13,9 +14,12 @@ constexpr double same_aim = 1.0;        // mm, between the line asked for and th
 constexpr double farthest_skin = 50.0;  // mm before the tip
 constexpr double skin_step = 0.5;       // mm
 constexpr int skin_bisections = 10;
-constexpr double same_hole = 1.0;  // mm
-constexpr double late = 1.0;       // mm past a point's place, at which it comes late
-constexpr std::uint32_t ticks_from_look_to_look = 10;
+constexpr double same_hole = 1.0;      // mm
+constexpr double late = 1.0;           // mm past a point's place, at which it comes late
+constexpr double in_time_ahead = 3.0;  // mm
+constexpr std::size_t points_in_time = 8;
+constexpr double look_ahead = 10.0;  // mm before the tip, within which the needle leaves its line
+constexpr std::uint32_t ticks_from_look_to_look = 10, ticks_from_line_to_line = 50;
 constexpr std::uint64_t steps_at_rest = 12;  // of the body, after which a probe that holds the same nodes rests
 
 double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noexcept {
@@ -26,6 +30,10 @@ double distance(const Vec3& point, const Vec3& entry, const Vec3& direction) noe
 // BodyField::held_since of the nodes that are held; 0: none are.
 std::uint64_t held_by(const fem::BodyField* motion) noexcept {
   return motion == nullptr || motion->held_count == 0 ? 0 : motion->held_since;
+}
+
+bool rests(const fem::BodyField* motion) noexcept {
+  return motion == nullptr || motion->step >= motion->held_since + steps_at_rest;
 }
 
 bool runs_along(const anatomy::NeedlePath& path, const Vec3& entry, const Vec3& direction, double within) noexcept {
@@ -45,11 +53,12 @@ NeedleInBody::NeedleInBody(const anatomy::Case& patient, const Settings& setting
       path_(patient.corridor.path),
       planned_(patient, settings, dt) {}
 
-std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(bool as_recorded) {
+std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(PointTiming timing) {
   const fem::BodyField* const motion = newest_motion();
   line_ = std::make_shared<fem::ContactLine>(planned_.spring(), motion == nullptr ? 0 : motion->held.size());
   own_ = std::make_unique<DeformableShaft>(planned_, *patient_, *line_, settings_, dt_);
-  as_recorded_ = as_recorded;
+  timing_ = timing;
+  ask_planned();
   return line_;
 }
 
@@ -63,16 +72,19 @@ void NeedleInBody::approach(const Vec3& tip, const Vec3& axis) noexcept {
   const std::optional<Vec3> entry = skin_ahead(tip, axis);
   if (!entry) return;
   const fem::BodyField* const motion = newest_motion();
-  if (held_by(motion) == 0 && runs_along(path_, *entry, axis, same_line)) return;
+  if (held_by(motion) == 0 && runs_along(path_, *entry, axis, same_line)) {
+    if (!asked_ || !asked_->is_planned || asked_->leads_on) ask_planned();
+    return;
+  }
   if (!is_asked(*entry, axis, same_aim, motion)) ask(*entry, axis, motion);
 }
 
 // While a probe moves, it takes and releases nodes in every step: the line asked for stays.
 bool NeedleInBody::is_asked(const Vec3& entry, const Vec3& direction, double within,
                             const fem::BodyField* motion) const noexcept {
-  if (!asked_ || !runs_along(*asked_, entry, direction, within)) return false;
-  const bool rests = motion == nullptr || motion->step >= motion->held_since + steps_at_rest;
-  return held_by(motion) == asked_held_ || !rests;
+  if (!asked_ || asked_->is_planned || asked_->leads_on || !runs_along(asked_->path, entry, direction, within))
+    return false;
+  return held_by(motion) == asked_->held || !rests(motion);
 }
 
 const fem::BodyField* NeedleInBody::newest_motion() noexcept {
@@ -96,22 +108,26 @@ fem::NodeForces NeedleInBody::node_forces() const noexcept {
   return touches_ ? model().node_forces() : fem::NodeForces{};
 }
 
+Wrench NeedleInBody::on_held() const noexcept {
+  return touches_ && own_ != nullptr ? line_->on_held(own_->point_forces()) : Wrench{};
+}
+
 Vec3 NeedleInBody::needle_ahead() const noexcept {
   return touches_ ? model().ahead() : Vec3(Vec3::Zero());
 }
 
-Vec3 NeedleInBody::tissue_motion() const noexcept {
-  return touches_ ? model().tissue_motion() : Vec3(Vec3::Zero());
+Pose NeedleInBody::tissue_motion() const noexcept {
+  return touches_ ? model().tissue_motion() : Pose::Identity();
 }
 
 void NeedleInBody::begin(const Vec3& entry, const Vec3& direction) noexcept {
   told_motion_ = false;
   if (change_.goes_on()) set_numbers(change_.last());
-  const bool own =
+  const bool beside =
       line_ != nullptr && (held_by(newest_motion()) != 0 || !runs_along(path_, entry, direction, same_line));
-  if (own != on_own_line_) announced_ = false;
-  on_own_line_ = own;
-  if (own) {
+  if (beside != beside_plan_) announced_ = false;
+  beside_plan_ = beside;
+  if (line_ != nullptr) {
     begin_own_line(entry, direction);
   } else {
     planned_.begin(entry, direction);
@@ -123,7 +139,14 @@ void NeedleInBody::begin_own_line(const Vec3& entry, const Vec3& direction) noex
   points_ = 0;
   complete_ = false;
   begins_ = true;
-  if (!asked_ || !runs_along(*asked_, entry, direction, same_line)) ask(entry, direction, newest_motion());
+  ticks_on_line_ = 0;
+  const bool inside = asked_ && asked_->leads_on, pending = coupling_ != Coupling::none;
+  if (!beside_plan_) {
+    if (!asked_ || !asked_->is_planned || inside || pending) ask_planned();
+  } else if (!asked_ || asked_->is_planned || inside || pending ||
+             !runs_along(asked_->path, entry, direction, same_line)) {
+    ask(entry, direction, newest_motion());
+  }
   own_->begin_growing(entry, direction, is_hole(entry));
 }
 
@@ -132,13 +155,14 @@ forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
   if (change_.goes_on()) set_numbers(change_.next());
   if (!std::exchange(announced_, true)) {
     events.push(
-        {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, on_own_line_ ? own_line : -1.0});
+        {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, beside_plan_ ? own_line : -1.0});
   }
-  if (on_own_line_) take_known_points(needle, events);
+  if (line_ != nullptr) take_known_points(needle, events);
   if (motion_ != nullptr || breath_.field != nullptr) take_motion(needle, events);
   forces::ResistanceForce force = model().step(needle, events);
   touches_ = force.in_contact;
   remember_hole();
+  if (line_ != nullptr) lead_on_where_it_turned(needle);
   return force;
 }
 
@@ -146,25 +170,49 @@ void NeedleInBody::reset() noexcept {
   planned_.reset();
   if (own_ != nullptr) own_->reset();
   breath_ = {};
-  on_own_line_ = touches_ = false;
+  beside_plan_ = touches_ = false;
   announced_ = told_motion_ = true;
   hole_count_ = 0;
-  asked_.reset();
-  asked_held_ = 0;
-  ticks_outside_ = 0;
+  ticks_outside_ = ticks_on_line_ = 0;
+  if (line_ != nullptr) ask_planned();
 }
 
 // Those that are there, or that were in the recording.
-void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
-  fem::ContactLine::Progress now{points_, complete_};
-  if (!as_recorded_) {
-    now = line_->progress();
-  } else if (recorded_) {
-    now.complete = *recorded_ < 0.0;
-    const double count = now.complete ? -1.0 - *recorded_ : *recorded_;
-    now.points = count > 0.0 && count <= fem::ContactLine::most_points ? static_cast<std::size_t>(count) : 0;
-    line_->wait_for(now.points);
+fem::ContactLine::Progress NeedleInBody::known_points(const forces::NeedleInTissue& needle) noexcept {
+  if (coupling_ != Coupling::none) return {points_, complete_};
+  if (timing_ == PointTiming::in_time) return points_ahead_of(needle);
+  if (timing_ == PointTiming::as_known) {
+    fem::ContactLine::Progress now = line_->progress();
+    now.points = std::max(now.points, points_);  // those that are kept where the line is led on
+    return now;
   }
+  fem::ContactLine::Progress now{points_, complete_};
+  if (!recorded_) return now;
+  now.complete = *recorded_ < 0.0;
+  const double count = now.complete ? -1.0 - *recorded_ : *recorded_;
+  now.points = count > 0.0 && count <= fem::ContactLine::most_points ? static_cast<std::size_t>(count) : 0;
+  line_->wait_for(now.points);
+  return now;
+}
+
+// As many as lie less than `in_time_ahead` before the tip, and a few more; the same number whenever they come.
+fem::ContactLine::Progress NeedleInBody::points_ahead_of(const forces::NeedleInTissue& needle) noexcept {
+  fem::ContactLine::Progress now{points_, complete_};
+  while (!now.complete) {
+    if (now.points > 0) {
+      const Vec3 from_tip = line_->body().nodes[now.points - 1] - needle.tip;
+      if (from_tip.dot(needle.axis) > in_time_ahead) break;
+    }
+    const std::size_t wanted = now.points + points_in_time;
+    const fem::ContactLine::Progress there = line_->wait_for(wanted);
+    now.complete = there.points < wanted;
+    now.points = std::min(there.points, wanted);
+  }
+  return now;
+}
+
+void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
+  const fem::ContactLine::Progress now = known_points(needle);
   recorded_.reset();
   if (now.points != points_ || now.complete != complete_) {
     const std::size_t before = points_;
@@ -182,18 +230,75 @@ void NeedleInBody::take_known_points(const forces::NeedleInTissue& needle, force
   if (std::exchange(begins_, false) && points_ == 0 && !complete_) tell_late(needle.motion.depth, needle, events);
 }
 
+// Tissue goes aside with the shaft, so that what counts is where the tip is in the tissue at rest.
+void NeedleInBody::lead_on_where_it_turned(const forces::NeedleInTissue& needle) noexcept {
+  if (++ticks_on_line_ < ticks_from_line_to_line || ticks_on_line_ % ticks_from_look_to_look != 0) return;
+  if (!touches_ || points_ == 0 || !(needle.motion.velocity > 0.0) || coupling_ != Coupling::none) return;
+  const fem::EmbeddedNeedle::Ahead ahead = own_->goes_on();
+  const Vec3 along = asked_->path.direction();
+  const bool turned = distance(ahead.place, asked_->path.entry, along) > same_aim ||
+                      distance(ahead.place + look_ahead * ahead.direction, asked_->path.entry, along) > same_aim;
+  if (!turned && !(complete_ && own_->past_line())) return;
+  points_ = own_->reached();
+  complete_ = false;
+  ticks_on_line_ = 0;
+  own_->lead_on(points_);
+  asked_->path = {ahead.place, ahead.place + path_.length() * ahead.direction};
+  asked_->leads_on = true;
+  line_->lead_on(ahead.place, ahead.direction, points_);
+}
+
 void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept {
   const fem::BodyField* const newest = newest_motion();
+  if (line_ != nullptr && newest != nullptr) couple(*newest, needle, events);
   const std::span<const float> of_mesh = newest == nullptr ? std::span<const float>() : newest->moved;
   const bool moves = model().move_with(of_mesh, breath_);
   if (!moves || motion_ == nullptr || std::exchange(told_motion_, true)) return;
   events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});
 }
 
+// A probe that has come to rest holds other nodes than those with which the needle's points are coupled.
+void NeedleInBody::couple(const fem::BodyField& motion, const forces::NeedleInTissue& needle,
+                          forces::TickEvents& events) noexcept {
+  switch (coupling_) {
+    case Coupling::none:
+      if (!touches_ || !complete_ || points_ == 0 || held_by(&motion) == asked_->held || !rests(&motion)) return;
+      coupling_ = Coupling::asked;
+      coupled_held_ = held_by(&motion);
+      coupled_count_ = motion.held_count;
+      line_->couple(motion.held_nodes(), points_);
+      return;
+    case Coupling::asked: {
+      const bool recorded = std::exchange(recorded_coupling_, false);
+      const bool there =
+          timing_ == PointTiming::as_recorded ? recorded && line_->wait_until_coupled() : line_->is_coupled();
+      if (!there) return;
+      coupling_ = Coupling::taken;
+      own_->exchange();
+      events.push({forces::EventKind::points_coupled, needle.tissue, needle.motion.depth,
+                   static_cast<double>(coupled_count_)});
+      return;
+    }
+    case Coupling::taken:
+      if (own_->exchanges()) return;
+      coupling_ = Coupling::none;
+      asked_->held = coupled_held_;
+      asked_->is_planned = false;
+      if (own_->exchanged()) line_->take_coupled();
+      return;
+  }
+}
+
 void NeedleInBody::ask(const Vec3& entry, const Vec3& direction, const fem::BodyField* motion) noexcept {
-  asked_ = anatomy::NeedlePath{entry, entry + path_.length() * direction};
-  asked_held_ = held_by(motion);
+  coupling_ = Coupling::none;
+  asked_ = Asked{.path = {entry, entry + path_.length() * direction}, .held = held_by(motion)};
   line_->ask(entry, direction, motion == nullptr ? std::span<const std::uint32_t>() : motion->held_nodes());
+}
+
+void NeedleInBody::ask_planned() noexcept {
+  coupling_ = Coupling::none;
+  asked_ = Asked{.path = path_, .is_planned = true};
+  line_->ask_planned(path_.entry, path_.direction());
 }
 
 // Where a needle outside the body would meet the skin.

@@ -56,6 +56,11 @@ Operator::Operator(const OperatorScript& script, const anatomy::NeedlePath& path
       sample_ticks_(std::max(1, static_cast<int>(std::lround(sample_interval / dt)))) {
   if (!(path.length() > 1e-3))
     throw InputError("the needle's entry and target are the same point, expected a path of some length");
+  for (const OperatorPhase& phase : script.phases) {
+    if (std::any_of(phase.until.begin(), phase.until.end(), [](const auto& until) { return until.has_share(); }))
+      throw InputError("phase '" + phase.name + "' of operator '" + script.name +
+                       "' waits for a share of a force, expected one in N for the patient");
+  }
   across_ = needle_pose(path.entry, path.direction()).linear().col(0);
   along_ = needle_pose(path.entry, path.direction()).linear().col(1);
   const Vec3 up = Vec3::UnitZ() - Vec3::UnitZ().dot(path.direction()) * path.direction();

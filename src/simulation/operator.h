@@ -21,7 +21,8 @@ struct OperatorSense {
 // in the model or events. Equal seeds and equal sensations give equal intentions. step() allocates nothing.
 class Operator {
  public:
-  // Throws InputError for a script that cannot be performed or a path of no length. `dt`: s.
+  // Throws InputError for a script that cannot be performed or has shares left (see for_patient()), or a path of no
+  // length. `dt`: s.
   Operator(const OperatorScript& script, const anatomy::NeedlePath& path, std::uint64_t seed, double dt);
 
   // Where the needle is held before the first tick.

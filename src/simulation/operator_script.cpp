@@ -52,6 +52,12 @@ void check_condition(const OperatorCondition& condition, const std::string& phas
   value(condition.force_below, "the force (N)", -100.0, 100.0);
   value(condition.force_drop, "the drop of force (N)", 0.01, 100.0);
   value(condition.hardness_above, "the hardness (N/mm)", 0.001, 1000.0);
+  value(condition.drop_share, "the share of the drop", 0.01, 100.0);
+  value(condition.force_above_share, "the share of the force", 0.01, 100.0);
+  if (condition.has_share() == condition.share_of.empty())
+    checker.fail(sentence("a condition of phase '", phase, "' has ",
+                          condition.has_share() ? "a share, but of no tissue" : "a tissue, but no share of its force",
+                          "; expected both or neither"));
   if (!any) checker.fail(sentence("a condition of phase '", phase, "' says nothing to wait for"));
 }
 

@@ -23,9 +23,15 @@ struct OperatorCondition {
   std::optional<double> force_below;      // N, at most
   std::optional<double> force_drop;       // N by which the force fell from its peak of the last 0.3 s, at least
   std::optional<double> hardness_above;   // N/mm by which the force rose over the last 0.15 s, at least
-  int next = end;                         // position of the phase that follows, or `end`
+  // The same of force_drop and force_above, as shares of the force at which a tissue gives way to the needle. They
+  // say nothing until the patient is known, see for_patient().
+  std::string share_of;  // name of the tissue
+  std::optional<double> drop_share;
+  std::optional<double> force_above_share;
+  int next = end;  // position of the phase that follows, or `end`
 
-  bool is_felt() const { return force_above || force_below || force_drop || hardness_above; }
+  bool has_share() const { return drop_share || force_above_share; }
+  bool is_felt() const { return force_above || force_below || force_drop || hardness_above || has_share(); }
 };
 
 // One thing that an operator does: moves along the line of aim, or holds still, until a condition holds.

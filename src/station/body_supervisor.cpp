@@ -40,7 +40,8 @@ void BodySupervisor::attach(HandSession& session) {
   simulation::BodyPort* const port = session.body();
   if (port == nullptr || whole_body_ == nullptr) return;
   if (moving_ != nullptr) session.move_with(moving_);
-  stream_ = patient::contact_stream(*body_, patient_, length_, whole_body_, port->stream_points(false));
+  stream_ = patient::contact_stream(*body_, patient_, length_, whole_body_,
+                                    port->stream_points(simulation::BodyPort::PointTiming::as_known));
 }
 
 std::vector<std::string> BodySupervisor::update() {

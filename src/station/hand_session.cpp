@@ -67,8 +67,8 @@ struct HandSession::Shared {
     tick_in_tissue = record.output.depth > 0.0;
     const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
     publish_forces(record.input.needle, ahead, record.output.drawn_in);
-    const Vec3 carried =
-        released.step(input.needle_held && tick_in_tissue, input.needle.translation(), tissue_motion(record));
+    const ReleasedNeedle::Step carried =
+        released.step(input.needle_held && tick_in_tissue, input.needle, tissue_motion(record));
     if (moving) keep_moving(record);
     note_sight((input.buttons & BODKIN_BUTTON_UNSEEN) != 0, record.output);
     if (!closed.load(std::memory_order_acquire)) recorder.push(record);
@@ -88,15 +88,16 @@ struct HandSession::Shared {
                      corridor_left, record.input.other,  numbers.taken(), unseen_for.has_value()};
     now.output.events.clear();
     snapshot.write(now);
-    return {record.output.applied, 0.0, carried};
+    return {record.output.applied, 0.0, carried.by, carried.turn};
   }
 
-  // mm, of the tissue at the needle, by breath and by what presses the body.
-  Vec3 tissue_motion(const simulation::TickRecord& record) const noexcept {
+  // Of the tissue at the needle from rest, by breath and by what presses the body.
+  Pose tissue_motion(const simulation::TickRecord& record) const noexcept {
+    Pose motion = body == nullptr ? Pose::Identity() : body->tissue_motion();
+    if (!breath) return motion;
     const Vec3 tip = record.input.needle.translation();
-    Vec3 by_body = body == nullptr ? Vec3(Vec3::Zero()) : body->tissue_motion();
-    if (!breath) return by_body;
-    return by_body + tip - breath->material(tip, record.output.drawn_in);
+    motion.translation() += tip - breath->material(tip, record.output.drawn_in);
+    return motion;
   }
 
   simulation::Thumb thumb_now() const noexcept {
@@ -116,6 +117,7 @@ struct HandSession::Shared {
   void keep_moving(simulation::TickRecord& record) noexcept {
     simulation::TickOutput& output = record.output;
     moving->set_time(static_cast<double>(ticks) * tick.dt(), output.drawn_in);
+    if (body != nullptr) moving->push_probe(body->on_held());
     const std::uint64_t step = body == nullptr ? 0 : body->motion_taken();
     if (step != body_taken.step) {
       body_taken = {body_taken.step == 0 ? 0 : body_taken.number + 1, record.tick, step};

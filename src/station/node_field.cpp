@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fem/solid/display_columns.h"
+#include "fem/solid/node_columns.h"
 
 namespace bodkin::station {
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double hand_around = 15.0;           // mm from the path, where a free hand's needle may be
 constexpr std::size_t most_hand_nodes = 1000;  // that have columns
+constexpr std::size_t spare_hand_nodes = 400;  // of these, for a needle farther away, and what a probe holds
 constexpr double seen_around = 90.0;           // mm from the path: what a probe above it sees
 constexpr std::size_t most_bytes = std::size_t{512} << 20U;
 
@@ -32,20 +34,20 @@ double distance_to(const anatomy::NeedlePath& path, const Vec3& point) {
   return (from - std::clamp(from.dot(along), 0.0, path.length()) * along).norm();
 }
 
-// `held`: how many nodes have columns.
+// `with_columns`: how many nodes have columns.
 std::vector<std::uint32_t> nodes_in_sight(const anatomy::TetrahedralMesh& mesh, const anatomy::NeedlePath& path,
-                                          std::size_t held) {
+                                          std::size_t with_columns) {
   std::vector<NearNode> near;
   near.reserve(mesh.nodes.size());
   for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
     near.emplace_back(distance_to(path, mesh.nodes[node]), node);
-  return nearest(near, seen_around, most_bytes / fem::display_bytes(1, held));
+  return nearest(near, seen_around, most_bytes / fem::display_bytes(1, with_columns));
 }
 
 std::vector<fem::PointInMesh> places_of(const std::vector<std::uint32_t>& nodes) {
   std::vector<fem::PointInMesh> places;
   places.reserve(nodes.size());
-  for (const std::uint32_t node : nodes) places.push_back({{node, node, node, node}, {1.0, 0.0, 0.0, 0.0}});
+  for (const std::uint32_t node : nodes) places.push_back(place_of_node(node));
   return places;
 }
 
@@ -62,22 +64,45 @@ std::vector<std::uint32_t> nodes_of_shaft(const fem::ElasticBody& elastic, const
   return nearest(near, around, most);
 }
 
-NodeField::NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body,
-                     const anatomy::NeedlePath& path, const Progress& progress)
-    : NodeField(elastic, body, path, nodes_of_shaft(elastic, body.mesh, path, hand_around, most_hand_nodes),
-                progress) {}
+fem::PointInMesh place_of_node(std::uint32_t node) {
+  return {{node, node, node, node}, {1.0, 0.0, 0.0, 0.0}};
+}
+
+std::unique_ptr<fem::GrowingField> growing_field(fem::DisplayField field,
+                                                 std::shared_ptr<const fem::ContactBody> whole,
+                                                 std::vector<fem::PointInMesh> points,
+                                                 const fem::LeftNeedleForces& left,
+                                                 std::span<const std::uint32_t> node_points) {
+  if (whole == nullptr) return std::make_unique<fem::GrowingField>(std::move(field));
+  const auto columns = std::make_shared<const fem::NodeColumns>(std::move(whole), std::move(points), left);
+  return std::make_unique<fem::GrowingField>(
+      std::move(field), [columns](std::span<const std::uint32_t> nodes) { return columns->of(nodes); }, node_points);
+}
 
 NodeField::NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body,
-                     const anatomy::NeedlePath& path, const std::vector<std::uint32_t>& held,
-                     const Progress& progress)
-    : mesh_nodes_(body.mesh.nodes.size()),
-      seen_(nodes_in_sight(body.mesh, path, held.size())),
-      field_(fem::display_columns(elastic, places_of(seen_), held, progress)),
-      moved_(3 * seen_.size(), 0.0F),
-      of_mesh_(3 * mesh_nodes_, 0.0F) {}
+                     const anatomy::NeedlePath& path, const Progress& progress, const fem::LeftNeedleForces& left,
+                     const std::shared_ptr<const fem::ContactBody>& whole)
+    : NodeField(elastic, body, path,
+                nodes_of_shaft(elastic, body.mesh, path, hand_around,
+                               whole == nullptr ? most_hand_nodes : most_hand_nodes - spare_hand_nodes),
+                progress, left, whole) {}
 
-std::span<const float> NodeField::evaluate(const fem::NodeForces& forces) noexcept {
-  field_.evaluate(forces, moved_);
+NodeField::NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body,
+                     const anatomy::NeedlePath& path, const std::vector<std::uint32_t>& pushed,
+                     const Progress& progress, const fem::LeftNeedleForces& left,
+                     std::shared_ptr<const fem::ContactBody> whole)
+    : mesh_nodes_(body.mesh.nodes.size()) {
+  const std::size_t spare = whole == nullptr ? 0 : spare_hand_nodes;
+  seen_ = nodes_in_sight(body.mesh, path, pushed.size() + spare);
+  std::vector<fem::PointInMesh> places = places_of(seen_);
+  fem::DisplayField field = fem::display_columns(elastic, places, pushed, progress, left, spare);
+  field_ = growing_field(std::move(field), std::move(whole), std::move(places), left, seen_);
+  moved_.assign(3 * seen_.size(), 0.0F);
+  of_mesh_.assign(3 * mesh_nodes_, 0.0F);
+}
+
+std::span<const float> NodeField::evaluate(const fem::NodeForces& forces) {
+  field_->evaluate(forces, moved_);
   for (std::size_t i = 0; i < seen_.size(); ++i)
     std::copy_n(moved_.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
                 of_mesh_.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{seen_[i]}));

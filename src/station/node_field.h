@@ -8,7 +8,11 @@
 #include "anatomy/case.h"
 #include "core/progress.h"
 #include "fem/display_field.h"
+#include "fem/growing_field.h"
+#include "fem/solid/contact_body.h"
 #include "fem/solid/elastic_body.h"
+#include "fem/solid/left_needle_forces.h"
+#include "fem/solid/points_in_mesh.h"
 
 namespace bodkin::station {
 
@@ -18,29 +22,46 @@ std::vector<std::uint32_t> nodes_of_shaft(const fem::ElasticBody& elastic, const
                                           const anatomy::NeedlePath& path, double around = 4.0,
                                           std::size_t most = 600);
 
+// A node of a mesh as a point in it.
+fem::PointInMesh place_of_node(std::uint32_t node);
+
+// A field at `points` that computes the columns of other nodes in its spare places: `whole`, null: no others. The
+// last of the points are the nodes `node_points`, which can be held.
+std::unique_ptr<fem::GrowingField> growing_field(fem::DisplayField field,
+                                                 std::shared_ptr<const fem::ContactBody> whole,
+                                                 std::vector<fem::PointInMesh> points,
+                                                 const fem::LeftNeedleForces& left,
+                                                 std::span<const std::uint32_t> node_points);
+
 // How the nodes of a mesh move by the forces of a needle, for displays of changing regions: what moves
 // between nodes is linear in them (SliceField).
 class NodeField {
  public:
   // Precomputes the columns of the nodes that can be seen, those within 90 mm of the path, the nearest first and as
   // many as 512 MB hold, under forces within 15 mm of it; the rest stands still. `elastic`: the body's, with its
-  // whole factor. Throws InputError when the columns do not fit into memory.
+  // whole factor; `left`: needles in the body, which hold the tissue. `whole`, of a needle that goes anywhere: what
+  // it does farther from the path is computed when it is there (fem::GrowingField). Throws InputError when the
+  // columns do not fit into memory.
   NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body, const anatomy::NeedlePath& path,
-            const Progress& progress = {});
+            const Progress& progress = {}, const fem::LeftNeedleForces& left = {},
+            const std::shared_ptr<const fem::ContactBody>& whole = {});
 
   std::size_t mesh_nodes() const noexcept { return mesh_nodes_; }
+  // Nodes that a probe holds from now on.
+  void hold(std::span<const std::uint32_t> nodes) { field_->hold(nodes); }
   // mm, of every node of the mesh, 3 x mesh_nodes() values, which the next call overwrites.
-  std::span<const float> evaluate(const fem::NodeForces& forces) noexcept;
+  std::span<const float> evaluate(const fem::NodeForces& forces);
   // N of these forces that the field does not show.
-  double left_out(const fem::NodeForces& forces) const noexcept { return field_.left_out(forces); }
+  double left_out(const fem::NodeForces& forces) const noexcept { return field_->left_out(forces); }
 
  private:
   NodeField(const fem::ElasticBody& elastic, const fem::BodyDescription& body, const anatomy::NeedlePath& path,
-            const std::vector<std::uint32_t>& held, const Progress& progress);
+            const std::vector<std::uint32_t>& pushed, const Progress& progress, const fem::LeftNeedleForces& left,
+            std::shared_ptr<const fem::ContactBody> whole);
 
   std::size_t mesh_nodes_;
-  std::vector<std::uint32_t> seen_;  // as the mesh calls them
-  fem::DisplayField field_;          // at these
+  std::vector<std::uint32_t> seen_;           // as the mesh calls them
+  std::unique_ptr<fem::GrowingField> field_;  // at these
   std::vector<float> moved_, of_mesh_;
 };
 

@@ -22,15 +22,17 @@ constexpr double forgetting = 0.98;        // what is left of the stiffness afte
 ProbeReaction::ProbeReaction(double dt, double device_stiffness) noexcept
     : dt_(dt), stiffness_(std::min(firmest_spring, device_stiffness)), glide_(1.0 - std::exp(-dt / glide_time)) {}
 
-// From the whole displacement since contact and from its last increment; estimates decay slowly.
+// From the whole displacement since contact and from its last increment; estimates decay slowly. A needle's hand
+// pushes while the probe stands still, too, so its part says nothing about an increment.
 void ProbeReaction::find_stiffness(const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   const double force = reading.on_probe.force.norm();
   const double way = std::max(least_way, std::abs((reading.probe - met_).dot(axis)));
   const double step = std::abs((reading.probe - last_).dot(axis));
   body_ = std::max(forgetting * body_, stiffness_margin * force / way);
-  if (step > least_step) body_ = std::max(body_, stiffness_margin * std::abs(force - last_force_) / step);
+  const double of_press = (reading.on_probe.force - reading.by_needle.force).norm();
+  if (step > least_step) body_ = std::max(body_, stiffness_margin * std::abs(of_press - last_force_) / step);
   last_ = reading.probe;
-  last_force_ = force;
+  last_force_ = of_press;
 }
 
 // What a step of the body has brought.

@@ -50,7 +50,7 @@ class ProbeReaction {
   Vec3 goal_ = Vec3::Zero(), felt_ = Vec3::Zero();  // p after the last step, and as it glides there
   Vec3 met_ = Vec3::Zero();                         // p when the body was met
   Vec3 last_ = Vec3::Zero();                        // p of the last reading
-  double last_force_ = 0.0;                         // N, f of the last reading
+  double last_force_ = 0.0;                         // N, f of the last reading, without the needle's part
   bool touches_ = false;                            // or did, and the hand has not come out since
   double share_ = 0.0;                              // of the force, 0 to 1: it comes and goes in 20 ms
   double force_ = 0.0;

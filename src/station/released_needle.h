@@ -10,19 +10,27 @@ namespace bodkin::station {
 // noexcept and without allocation.
 class ReleasedNeedle {
  public:
-  // One tick. `is_released`: nobody holds it, and it is in tissue; `tip`: where it is; `of_tissue`: mm, by which the
-  // tissue at it has moved. Returns mm by which it is to go on.
-  Vec3 step(bool is_released, const Vec3& tip, const Vec3& of_tissue) noexcept {
+  // How it is to go on: its tip by `by` (mm, LPS), its axes turned by `turn` about the tip.
+  struct Step {
+    Vec3 by = Vec3::Zero();
+    Mat3 turn = Mat3::Identity();
+  };
+  // One tick. `is_released`: nobody holds it, and it is in tissue; `needle`: where it is; `of_tissue`: the motion of
+  // the tissue at it, from rest.
+  Step step(bool is_released, const Pose& needle, const Pose& of_tissue) noexcept {
     if (!is_released) {
       at_rest_.reset();
-      return Vec3::Zero();
+      return {};
     }
-    if (!at_rest_) at_rest_ = tip - of_tissue;
-    return *at_rest_ + of_tissue - tip;
+    if (!at_rest_) at_rest_ = of_tissue.inverse(Eigen::Isometry) * needle;
+    const Pose goal = of_tissue * *at_rest_;
+    // A quaternion between: errors of the needle's axes, which come back in the next tick, would double in each.
+    const Eigen::Quaterniond turn(Mat3(goal.linear() * needle.linear().transpose()));
+    return {goal.translation() - needle.translation(), turn.normalized().toRotationMatrix()};
   }
 
  private:
-  std::optional<Vec3> at_rest_;  // of its tip, were the tissue at rest; empty: a hand holds it
+  std::optional<Pose> at_rest_;  // where it would be, were the tissue at rest; empty: a hand holds it
 };
 
 }  // namespace bodkin::station

@@ -50,9 +50,12 @@ ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, i
       orders_(first),
       thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
-void ScanThread::set_displacements(std::span<const float> nodes) {
+void ScanThread::set_displacements(std::span<const float> nodes, std::span<const std::uint32_t> held) {
   told_.assign(nodes.begin(), nodes.end());
   nodes_.write(told_);
+  if (std::ranges::equal(held, told_held_)) return;
+  told_held_.assign(held.begin(), held.end());
+  held_.write(told_held_);
 }
 
 void ScanThread::run(const std::stop_token& stop, double rate) {
@@ -193,6 +196,7 @@ void ScanThread::move_body(LivePicture& now, const imaging::SlicePlane& grid, co
     for (std::size_t i = 0; i < moved_.size(); ++i) moved_[i] += nodes[i];
   };
   if (body_.by_forces != nullptr) {
+    if (held_.is_fresh()) body_.by_forces->hold(held_.read());
     add(body_.by_forces->evaluate(forces));
     now.left_out = body_.by_forces->left_out(forces);
   }

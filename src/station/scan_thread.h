@@ -67,8 +67,9 @@ class ScanThread {
 
   // Observer's thread, and so the two below: what the next pictures follow.
   void set_order(const ScanOrder& order) noexcept { orders_.write(order); }
-  // mm, 3 per node of the mesh, of a moving body; another number of values is ignored.
-  void set_displacements(std::span<const float> nodes);
+  // mm, 3 per node of the mesh, of a moving body, and the nodes that a probe holds; another number of values is
+  // ignored.
+  void set_displacements(std::span<const float> nodes, std::span<const std::uint32_t> held = {});
   // The newest picture, unchanged until the next call.
   const LivePicture& picture() noexcept { return pictures_.read(); }
 
@@ -102,11 +103,13 @@ class ScanThread {
   LatestValue<Tick> ticks_;
   LatestValue<ScanOrder> orders_;
   LatestValue<std::vector<float>> nodes_;
+  LatestValue<std::vector<std::uint32_t>> held_;
   LatestValue<LivePicture> pictures_;
   std::optional<imaging::UltrasoundSettings> wanted_;  // of the last picture, and its depth, mm: of the thread
   double depth_ = 0.0;
-  std::vector<float> told_;  // of the observer's thread
-  std::jthread thread_;      // the last member: it uses the others
+  std::vector<float> told_;  // of the observer's thread, and so is the next
+  std::vector<std::uint32_t> told_held_;
+  std::jthread thread_;  // the last member: it uses the others
 };
 
 }  // namespace bodkin::station

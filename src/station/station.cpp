@@ -39,7 +39,6 @@ namespace bodkin::station {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
 constexpr double rate_tolerance = 0.05;  // of the rate; a device that misses it by more is reported
 
 }  // namespace
@@ -48,7 +47,6 @@ struct Station::Parts {
   Parts(StationOptions from, StationObserver& watching);
 
   void prepare_patient();
-  fem::BodySolverSettings moving_settings() const;
   void follow_points(const std::vector<Vec3>& points);
   haptics::DevicePort open_device();
   void open_second(const haptics::DeviceAbilities& first);
@@ -108,17 +106,8 @@ void Station::Parts::prepare_patient() {
       [this](const std::string& text) { observer.note(text); }, &whole_body);
   patient->description.procedure.path = path;
   if (!options.moving_body) return;
-  const std::string warning = slow_motion_warning(body->mesh.nodes.size());
-  if (!warning.empty()) observer.note(warning);
-  moving = std::make_shared<fem::BodyThread>(*body, moving_settings(), breath_of(*patient));
-}
-
-fem::BodySolverSettings Station::Parts::moving_settings() const {
-  fem::BodySolverSettings settings;
-  settings.motion.dt = body_step_time;
-  settings.probe = *options.moving_body;
-  settings.left_needles = options.left_needles;
-  return settings;
+  if (const std::string slow = slow_motion_warning(body->mesh.nodes.size()); !slow.empty()) observer.note(slow);
+  moving = std::make_shared<fem::BodyThread>(*body, moving_settings(options), breath_of(*patient));
 }
 
 // Precomputes what moves the points that the observer wants to see, and the ultrasound.
@@ -126,8 +115,11 @@ void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
   if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
   const Progress progress = observer.progress();
   const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress), {}, progress);
-  if (!wanted.empty()) points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress);
-  if (options.ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, progress);
+  const fem::LeftNeedleForces left(whole_body.get(), options.left_needles);
+  const auto surface = moving == nullptr ? std::span<const std::uint32_t>() : moving->surface();
+  if (!wanted.empty())
+    points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress, left, whole_body, surface);
+  if (options.ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, progress, left, whole_body);
 }
 
 haptics::DevicePort Station::Parts::open_device() {
@@ -182,7 +174,8 @@ session::SessionHeader Station::Parts::header() const {
   header.device = patient->description.device;
   if (second_device) header.second = second_device->header();
   if (options.ultrasound) header.ultrasound = options.ultrasound->probe;
-  if (moving != nullptr) header.moving_body = session::moving_body_text(moving_settings(), body->mesh.nodes.size());
+  if (moving != nullptr)
+    header.moving_body = session::moving_body_text(moving_settings(options), body->mesh.nodes.size());
   return header;
 }
 
@@ -241,9 +234,9 @@ void Station::Parts::update_scan() {
 void Station::Parts::update_displacements() {
   if (moving != nullptr) {
     const fem::BodySnapshot& now = moving->snapshot();
-    if (now.steps != shown_steps && points) points->update(now.displacements);
-    if (now.steps != shown_steps && scan != nullptr) scan->set_displacements(now.displacements);
-    shown_steps = now.steps;
+    const bool is_new = now.steps != std::exchange(shown_steps, now.steps);
+    if (is_new && points) points->update(now.displacements, now.held_nodes());
+    if (is_new && scan != nullptr) scan->set_displacements(now.displacements, now.held_nodes());
   }
   if (points) status.displacements = points->displacements();
 }
@@ -281,9 +274,8 @@ Station::Station(StationOptions options, StationObserver& observer) {
   haptics::DevicePort port = parts.open_device();
   parts.open_second(parts.device);
   const session::SessionHeader header = parts.header();
-  if (parts.body != nullptr) {
+  if (parts.body != nullptr)
     parts.supervisor.emplace(parts.patient, parts.body, parts.path.length(), parts.whole_body, parts.moving);
-  }
   if (ultrasound) parts.prepare_ultrasound(probe);
   std::shared_ptr<session::SecondLink> link;
   if (parts.second_device) {
@@ -352,6 +344,12 @@ const StationStatus& Station::update() {
   parts.update_displacements();
   parts.update_scan();
   return status;
+}
+
+void Station::follow(const std::vector<Vec3>& points, const Vec3& entry) {
+  if (!parts_->points) return;
+  parts_->points->follow(points, entry);
+  parts_->shown_steps = 0;  // a moving body tells these points too where it is
 }
 
 bool Station::ended() const noexcept {

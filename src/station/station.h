@@ -59,6 +59,11 @@ class Station {
   // what went wrong with the recording.
   StationResult finish();
 
+  // Other points (LPS mm, at rest) than those of StationObserver::prepare(), for a needle that has entered at `entry`
+  // (FollowedPoints::follow); the observer must have wanted some. Throws InputError and SystemError where the memory
+  // for them is refused, and goes on with those of before.
+  void follow(const std::vector<Vec3>& points, const Vec3& entry);
+
   void command(StationCommand command);
   // The body's place in the workspace of the needle's device: `middle` (LPS mm) comes to lie in its middle, turned by
   // `rotation` (operator's frame to patient). It glides there as WorkspaceSettings say, and stops where the needle

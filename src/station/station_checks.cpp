@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "station/body_supervisor.h"
 #include "station/hand_session.h"
 #include "station/probe_contact.h"
 #include "station/recorded_hand.h"
@@ -42,6 +43,14 @@ void check_moving_body(const StationOptions& options) {
       fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
                   "--resistance embedded_needle",
                   anatomy::name_of(resistance)));
+}
+
+fem::BodySolverSettings moving_settings(const StationOptions& options) {
+  fem::BodySolverSettings settings;
+  settings.motion.dt = body_step_time;
+  settings.probe = *options.moving_body;
+  settings.left_needles = options.left_needles;
+  return settings;
 }
 
 anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,

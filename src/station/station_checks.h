@@ -5,6 +5,7 @@
 
 #include "station/station_options.h"
 
+#include "fem/moving/body_thread.h"
 #include "fem/moving/probe_press.h"
 #include "haptics/stable_stiffness.h"
 #include "haptics/workspace_map.h"
@@ -19,6 +20,9 @@ std::optional<anatomy::BreathField> breath_of(const anatomy::Case& patient);
 
 // Throws InputError for a moving body without a probe or without the resistance that feels it.
 void check_moving_body(const StationOptions& options);
+
+// Of the options' moving body, which must be one.
+fem::BodySolverSettings moving_settings(const StationOptions& options);
 
 // Of the device that is held; with a recording, of the device that was held then.
 anatomy::DeviceLimits limits_with(const DeviceChoice& choice, const haptics::DeviceAbilities& device,

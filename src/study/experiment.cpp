@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "patient/prepared_body.h"
 #include "study/layer_mesh.h"
@@ -73,8 +75,10 @@ anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
   return volume;
 }
 
-// The deformable body of layers, about the line of the motion, where the resistance needs one.
-void give_body(const io::Experiment& experiment, const Progress& progress, anatomy::Case& patient) {
+// The deformable body of layers, about the line of the motion, where the resistance needs one; `whole` as that of
+// patient::prepare_body().
+void give_body(const io::Experiment& experiment, const Progress& progress, anatomy::Case& patient,
+               std::shared_ptr<const fem::ContactBody>& whole) {
   const io::ExperimentBody& body = experiment.body;
   if (experiment.patient || anatomy::body_of(experiment.haptics.resistance) == nullptr) return;
   if (body.hemisphere) {
@@ -89,7 +93,7 @@ void give_body(const io::Experiment& experiment, const Progress& progress, anato
   for (const io::ExperimentPlace& place : experiment.motion.places) deepest = std::max(deepest, place.depth);
   const io::ExperimentMotion& motion = experiment.motion;
   patient::prepare_body(patient, mesh_of_layers(layers, body.width, body.mesh),
-                        {motion.entry, motion.entry + deepest * motion.direction}, progress);
+                        {motion.entry, motion.entry + deepest * motion.direction}, progress, &whole);
 }
 
 // Where the needle is at a time.
@@ -182,7 +186,8 @@ Vec3 proxy_place(const ExperimentTick& tick) {
 }  // namespace
 
 io::Experiment load_experiment(const std::filesystem::path& file, const Progress& progress,
-                               const std::function<void(const std::string&)>& note) {
+                               const std::function<void(const std::string&)>& note,
+                               std::shared_ptr<const fem::ContactBody>* whole) {
   io::Experiment experiment = io::read_experiment(file);
   const io::ExperimentBody& body = experiment.body;
   if (body.patient.empty()) return experiment;
@@ -201,7 +206,7 @@ io::Experiment load_experiment(const std::filesystem::path& file, const Progress
   for (const std::string& text : line.notes) tell(text);
   const Vec3 along = line.path.direction();
   experiment.motion.lay_along(line.path.entry + line.surface * along, along);
-  patient::prepare_body(patient, body.patient, line.path, progress, tell);
+  patient::prepare_body(patient, body.patient, line.path, progress, tell, whole);
   experiment.patient = std::move(patient);
   return experiment;
 }
@@ -231,10 +236,16 @@ anatomy::CtVolume ct_of_tissues(const anatomy::Case& patient) {
   return ct;
 }
 
-ExperimentRun play(const io::Experiment& experiment, const Progress& progress) {
+ExperimentRun play(const io::Experiment& experiment, const Progress& progress,
+                   std::shared_ptr<const fem::ContactBody> whole) {
   anatomy::Case patient = experiment_case(experiment);
-  give_body(experiment, progress, patient);
+  give_body(experiment, progress, patient, whole);
   simulation::HapticTick tick(patient);
+  std::unique_ptr<fem::ContactStream> points;  // of the lines on which the motion leads the needle
+  if (whole != nullptr && tick.body() != nullptr) {
+    points = patient::contact_stream(patient, patient.corridor.path.length(), std::move(whole),
+                                     tick.body()->stream_points(simulation::BodyPort::PointTiming::in_time));
+  }
   Mover mover(experiment.motion);
   ExperimentRun run;
   run.dt = tick.dt();

@@ -16,6 +16,7 @@ namespace bodkin::tracking {
 namespace {
 
 constexpr double unseen_motion = 0.1;  // pixels
+constexpr double unseen_press = 0.05;  // mm of tissue, less than such a pixel at an arm's length
 constexpr int pictures_to_rest = 3;    // without motion, until the rays are dense again
 
 constexpr std::uint32_t steel = 0xDDE6EE, alarm = 0xFF4B3E, good = 0x7BE38B, warning = 0xFFC84A, planned = 0x59B8FF;
@@ -100,7 +101,10 @@ AugmentedView::AugmentedView(const anatomy::Case& patient, const CameraModel& ca
       rays_(ray_table(camera)) {}
 
 void AugmentedView::set_look(const AugmentedLook& look) {
-  if (look.preset != look_.preset || look.step != look_.step) caster_ = caster_of(volume_, look);
+  if (look.preset != look_.preset || look.step != look_.step) {
+    caster_ = caster_of(volume_, look);
+    cast_tissue_.reset();
+  }
   look_ = look;
   cast_at_.reset();
 }
@@ -126,10 +130,30 @@ double AugmentedView::moved(const Similarity& from, const Similarity& to) const 
   return most;
 }
 
-// The rays of a picture before are used again where the patient has not moved; while he moves they are half as dense
-// in both directions.
-void AugmentedView::draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient) {
-  const bool still = !last_ || moved(*last_, camera_from_patient) <= unseen_motion;
+// Tells the rays how the tissue has moved; whether that is otherwise than when they were cast last.
+bool AugmentedView::press(const imaging::MovedTissue* tissue) {
+  const bool known = tissue != nullptr && cast_tissue_.has_value();
+  if (known ? tissue->most_difference(*cast_tissue_) <= unseen_press
+            : (tissue != nullptr) == cast_tissue_.has_value())
+    return false;
+  cast_tissue_.reset();
+  if (tissue != nullptr) {
+    cast_tissue_.emplace(*tissue);
+    const imaging::RestOffsets offsets = tissue->rest_offsets();
+    caster_.set_moved(&offsets);
+  } else {
+    caster_.set_moved(nullptr);
+  }
+  return true;
+}
+
+// The rays of a picture before are used again where neither the patient nor his tissue has moved; while one of them
+// moves they are half as dense in both directions.
+void AugmentedView::draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
+                                 const imaging::MovedTissue* tissue) {
+  const bool pressed = press(tissue);
+  if (pressed) cast_at_.reset();
+  const bool still = !last_ || (!pressed && moved(*last_, camera_from_patient) <= unseen_motion);
   at_rest_ = !last_ ? pictures_to_rest : still ? std::min(at_rest_ + 1, pictures_to_rest) : 0;
   last_ = camera_from_patient;
   const bool moves = look_.coarse_while_moving && at_rest_ < pictures_to_rest;
@@ -183,7 +207,7 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
   if (mannequin != nullptr && mannequin->status == TrackingStatus::ok) {
     const Similarity camera_from_patient = composed(mannequin->camera_from_body, mannequin_from_patient_);
     before_ = picture;
-    draw_patient(picture, camera_from_patient);
+    draw_patient(picture, camera_from_patient, moved);
     const auto keep_tools = [&] {
       for (const ShownBody& tool : tools) {
         if (tool.pose->status == TrackingStatus::ok) keep_in_front(tool, camera_, before_, picture);
@@ -231,8 +255,9 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
   imaging::Canvas canvas(picture.width, picture.height);
   if (look_.plan && patient_.description.procedure.path) {
     const anatomy::NeedlePath& path = *patient_.description.procedure.path;
-    const auto entry = pixel_of(camera_from_patient * path.entry),
-               target = pixel_of(camera_from_patient * path.target);
+    const auto now = [&](const Vec3& rest) { return moved != nullptr ? Vec3(rest + moved->of(rest)) : rest; };
+    const auto entry = pixel_of(camera_from_patient * now(path.entry)),
+               target = pixel_of(camera_from_patient * now(path.target));
     if (entry && target) {
       canvas.stroke(imaging::Path::segment(*entry, *target), {imaging::Ink(planned, 0.9), 2.0, {6.0, 4.0}});
       canvas.stroke(imaging::Path::circle(*target, 7.0), {imaging::Ink(planned, 0.95), 2.0});
@@ -246,6 +271,12 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
     const double length = std::max(1.0, (needle_body->tip - Vec3::Zero()).norm() - 30.0);
     NeedleInPatient inside;
     inside.tip = patient_from_camera * tip;
+    struct Piece {
+      Eigen::Vector2d from, to;
+      double width;  // pixels
+      std::uint32_t colour;
+    };
+    std::vector<Piece> shaft;
     constexpr double piece = 1.0;  // mm
     const int pieces = static_cast<int>(length / piece);
     for (int n = 0; n < pieces; ++n) {
@@ -259,10 +290,15 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
         inside.depth += piece;
         if (const anatomy::TissueProperties* tissue = patient_.library.find(id)) colour = tissue->colour;
       }
-      // The nearer to the camera, the thicker; a dark rim sets it off.
-      const double width = std::clamp(2.4 * camera_.fx / from.z(), 2.0, 9.0);
-      canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(0x10151A, 0.55), width + 2.0});
-      canvas.stroke(imaging::Path::segment(*first, *last), {imaging::Ink(colour, 1.0), width});
+      // The nearer to the camera, the thicker.
+      shaft.push_back({*first, *last, std::clamp(2.4 * camera_.fx / from.z(), 2.0, 9.0), colour});
+    }
+    // A dark rim, below all of them, sets it off. Each begins a pixel early, so that no rim is seen between two.
+    for (const Piece& one : shaft)
+      canvas.stroke(imaging::Path::segment(one.from, one.to), {imaging::Ink(0x10151A, 0.55), one.width + 2.0});
+    for (const Piece& one : shaft) {
+      const Eigen::Vector2d early = one.from - (one.to - one.from).normalized();
+      canvas.stroke(imaging::Path::segment(early, one.to), {imaging::Ink(one.colour, 1.0), one.width});
     }
     const anatomy::TissueId at = tissue_at(patient_, inside.tip, moved);
     inside.bone = at == anatomy::tissue::cortical_bone || at == anatomy::tissue::cancellous_bone;

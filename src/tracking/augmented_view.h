@@ -51,7 +51,7 @@ class AugmentedView {
   // before the mannequin and hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is
   // not drawn; its status is written instead, and the pose it had before is never used. The rays are cast anew unless
   // the patient lies within a tenth of a pixel of where he lay when they were cast. `moved`: how his tissue has moved
-  // (null: not at all), which the view from the front and the needle's tissues follow; the cutaway shows him at rest.
+  // (null: not at all), which the cutaway, the planned path, the view from the front and the needle's tissues follow.
   void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
             const imaging::MovedTissue* moved = nullptr);
 
@@ -71,7 +71,9 @@ class AugmentedView {
   std::optional<Eigen::Vector2d> pixel_of(const Vec3& in_camera) const;
   Vec3 region() const;
   double moved(const Similarity& from, const Similarity& to) const;
-  void draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient);
+  bool press(const imaging::MovedTissue* tissue);
+  void draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
+                    const imaging::MovedTissue* tissue);
 
   const anatomy::Case& patient_;
   CameraModel camera_;
@@ -86,8 +88,9 @@ class AugmentedView {
   imaging::Cutaway cutaway_;
   bool is_shown_ = false, coarse_by_motion_ = false;
   double cast_seconds_ = 0.0;
-  std::optional<Similarity> cast_at_, last_;  // camera from patient: of the cutaway, and of the picture before
-  int at_rest_ = 0;                           // pictures in a row
+  std::optional<Similarity> cast_at_, last_;         // camera from patient: of the cutaway, and of the picture before
+  std::optional<imaging::MovedTissue> cast_tissue_;  // of the cutaway; nothing: it rested
+  int at_rest_ = 0;                                  // pictures in a row
 };
 
 // placed_along() the patient's path; without one its CT's middle lies there.

@@ -1,6 +1,7 @@
 #include "tracking/lens_watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bodkin::tracking {
 
@@ -10,11 +11,12 @@ constexpr std::size_t pictures = 30;  // a second of a usual camera
 constexpr double share = 0.8;         // of them in which no body fits
 constexpr double rest = 2.0;          // mm from one picture to the next
 constexpr int of_board = 4;           // markers seen at once; of a cube three are at most
-constexpr double most_focal = 0.01;   // share by which a board may say that the focal length is another
+constexpr double most_focal = 0.005;  // share by which a board may say that the focal length is another
 
-void note_picture(std::deque<bool>& disagreements, bool disagrees) {
-  disagreements.push_back(disagrees);
-  if (disagreements.size() > pictures) disagreements.pop_front();
+template <typename Of>
+void note_picture(std::deque<Of>& last, const Of& now) {
+  last.push_back(now);
+  if (last.size() > pictures) last.pop_front();
 }
 
 bool lasts(const std::deque<bool>& disagreements) {
@@ -34,10 +36,25 @@ void LensWatch::add(const std::vector<TrackedPose>& poses) {
     const bool fits = poses[i].status == TrackingStatus::ok;
     ++resting;
     fitting += fits ? 1 : 0;
-    if (poses[i].markers >= of_board) note_picture(boards_[i], !fits || poses[i].misfit.focal.exceeds(most_focal));
+    if (poses[i].markers < of_board) continue;
+    note_picture(boards_[i].disagreements, !fits);
+    if (fits && poses[i].misfit.focal.deviation > 0.0) note_picture(boards_[i].focal, poses[i].misfit.focal);
   }
   before_ = poses;
   if (resting > 0) note_picture(all_, fitting == 0);
+}
+
+// By the mean of the estimates, each with the weight of what it knows. Their errors are those of the pictures' noise,
+// which is another in each.
+bool LensWatch::has_other_focal(const Board& board) {
+  if (board.focal.size() < pictures) return false;
+  double weights = 0.0, sum = 0.0;
+  for (const Estimate& one : board.focal) {
+    const double weight = 1.0 / (one.deviation * one.deviation);
+    weights += weight;
+    sum += weight * one.value;
+  }
+  return Estimate{sum / weights, 1.0 / std::sqrt(weights)}.exceeds(most_focal);
 }
 
 std::string LensWatch::warning() const {
@@ -45,7 +62,8 @@ std::string LensWatch::warning() const {
     return "no body fits the picture although all rest: the lens, its focus or the light changed since the camera "
            "was calibrated; calibrate it anew";
   }
-  if (std::any_of(boards_.begin(), boards_.end(), lasts)) {
+  if (std::any_of(boards_.begin(), boards_.end(),
+                  [](const Board& board) { return lasts(board.disagreements) || has_other_focal(board); })) {
     return "a board of markers does not fit the picture although it rests: it is bent, or the lens or its focus "
            "changed since the camera was calibrated; press it flat, else calibrate the camera anew";
   }

@@ -160,8 +160,9 @@ class Cohort {
             settings_.performer ? *settings_.performer : operator_of_skill(settings_.novice, settings_.expert, skill);
         const std::uint64_t chance =
             mix64(settings_.seed) ^ mix64(number + 1) ^ mix64(0x5EED0000ULL + static_cast<std::uint64_t>(done));
-        session::Session session = simulate_attempt(*here.patient, script, here.path, chance,
-                                                    completing_id(here.procedure, here.patient->library));
+        session::Session session = simulate_attempt(
+            *here.patient, script, here.path, chance,
+            {.ending = completing_id(here.procedure, here.patient->library), .whole_body = here.whole_body});
         if (asks_for_probe(here.procedure)) hold_probe(session, script, chance);
         const Score result = score(session, here.patient->description, here.procedure,
                                    {&here.patient->structures, &here.patient->tissues, &surfaces_[stage]});

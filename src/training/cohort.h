@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "anatomy/case.h"
 #include "core/progress.h"
+#include "fem/solid/contact_body.h"
 #include "simulation/operator_script.h"
 #include "training/plan.h"
 #include "training/procedure.h"
@@ -21,6 +23,7 @@ struct CohortStage {
   Procedure procedure;
   const anatomy::Case* patient = nullptr;
   anatomy::NeedlePath path;
+  std::shared_ptr<const fem::ContactBody> whole_body = {};  // AttemptOptions::whole_body
 };
 
 // One of several processes, on one machine or many with a folder in common, that share a cohort: it takes the

@@ -35,6 +35,16 @@ constexpr std::array<std::string_view, 4> enumeration_names(GoalKind) {
   return {"rest", "touch", "event", "near_target"};
 }
 
+// Whether drawing the needle wholly out of the body ends an attempt.
+enum class TakenOutEnds : std::uint8_t {
+  after_goal,  // once its aim was reached; before, the needle may go in again
+  always,
+  never
+};
+constexpr std::array<std::string_view, 3> enumeration_names(TakenOutEnds) {
+  return {"after_goal", "always", "never"};
+}
+
 struct Goal {
   GoalKind by = GoalKind::rest;
   std::string tissue;
@@ -174,6 +184,7 @@ struct Procedure {
   std::string needle;             // that is usual: "GAUGE,LENGTH,TIP"; empty: the case chooses
   int thickest_gauge = 10;
   int thinnest_gauge = 34;
+  TakenOutEnds taken_out_ends = TakenOutEnds::after_goal;
   std::vector<Step> steps;
   std::vector<Goal> goals;  // any one suffices
   std::vector<Forbidden> forbidden;
@@ -193,6 +204,9 @@ struct Procedure {
         Parameter{"thickest_gauge", &S::thickest_gauge, Range{10.0, 34.0}, "", "of a needle that is usual",
                   Origin::choice},
         Parameter{"thinnest_gauge", &S::thinnest_gauge, Range{10.0, 34.0}, "", "of a needle that is usual",
+                  Origin::choice},
+        Parameter{"taken_out_ends", &S::taken_out_ends,
+                  "when a needle that is drawn wholly out ends the attempt: after_goal, always or never",
                   Origin::choice},
         ChildElements{"step", &S::steps, "a stage of it, in order", 50},
         ChildElements{"goal", &S::goals, "what reaches its aim", 10},

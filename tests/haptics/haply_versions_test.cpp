@@ -188,7 +188,9 @@ TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_that_is_set_meanwhile_takes_th
         port, [&](const DeviceState&) { return board_.force[0] == 1.0; }, force);
     service_->oddity() = oddity;
     rounds_until(
-        port, [](const DeviceState& now) { return now.fault == DeviceFault::vendor_error; }, force);
+        port,
+        [&](const DeviceState& now) { return now.fault == DeviceFault::vendor_error && board_.force[0] == 0.0; },
+        force);  // the force of the round before may still be on its way to the service
     EXPECT_THAT(port.explain(), HasSubstr("a basis, a preset or a mount"));
     DeviceState state;
     for (int i = 0; i < 50; ++i) {  // and stays so, whatever the states without a configuration say

@@ -233,6 +233,32 @@ TEST(WorkspaceMap, a_held_needle_is_carried_and_one_in_the_hand_is_not) {
   }
 }
 
+// It turns with the tissue about its tip, many small turns leave it a rotation, and the hand takes it up as it is
+// then.
+TEST(WorkspaceMap, a_held_needle_turns_with_the_tissue) {
+  Random random(20);
+  WorkspaceMap map(any_settings(random, 1.3));
+  const Pose hand = any_hand(random);
+  const Pose held = map.step(hand, 0.001);
+  const Mat3 turn = Eigen::AngleAxisd(1e-3, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  map.carry(Vec3::Zero(), turn);
+  ASSERT_LT(difference(map.step(hand, 0.001), held), 1e-12) << "a hand holds it";
+  map.freeze(true);
+  map.step(any_hand(random), 0.001);
+  constexpr int turns = 20000;
+  for (int i = 0; i < turns; ++i) map.carry(Vec3(1e-3, 0.0, 0.0), turn);
+  map.carry(Vec3::Zero(), Mat3::Zero());
+  map.carry(Vec3::Zero(), -Mat3::Identity());
+  Pose expected = held;
+  expected.translation() += Vec3(1e-3 * turns, 0.0, 0.0);
+  expected.linear() =
+      Eigen::AngleAxisd(1e-3 * turns, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix() * held.linear();
+  ASSERT_LT(difference(map.step(any_hand(random), 0.001), expected), 1e-9);
+  EXPECT_LT((map.needle().linear().transpose() * map.needle().linear() - Mat3::Identity()).norm(), 1e-14);
+  map.freeze(false);
+  ASSERT_LT(difference(map.step(any_hand(random), 0.001), expected), 1e-9) << "without a jump";
+}
+
 TEST(WorkspaceMap, a_body_moved_to_nowhere_stays) {
   WorkspaceMap map(WorkspaceSettings{});
   map.move_body(Vec3(std::nan(""), 0.0, 0.0), Mat3::Identity());

@@ -69,6 +69,14 @@ TEST(ExperimentFile, changes_the_library_and_adds_to_it) {
   EXPECT_EQ(gel->layered.break_force, muscle->layered.break_force);
   EXPECT_NE(muscle->tracking_wall.force, 2.0);
   EXPECT_EQ(experiment.library.find("skin")->tracking_wall.force, 3.0);
+  // The library's description of muscle and skin is not that of what has other forces.
+  EXPECT_EQ(gel->physical.puncture_force, 0.0);
+  EXPECT_EQ(experiment.library.find("skin")->physical.friction, 0.0);
+  EXPECT_GT(muscle->physical.puncture_force, 0.0);
+  std::string described = plain;
+  described.insert(described.find("<tracking_wall stiffness_N_per_mm=\"0.25\""),
+                   "<physical puncture_force_N=\"2\" dimpling_mm=\"3\" friction_MPa=\"0.01\"/>");
+  EXPECT_EQ(read(described).library.find("skin")->physical.puncture_force, 2.0);
 }
 
 TEST(ExperimentFile, refuses_in_one_sentence_what_cannot_be_played) {

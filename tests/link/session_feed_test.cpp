@@ -2,6 +2,7 @@
 #include "link/session_feed.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "link/contents.h"
 #include "session/session_file.h"
@@ -68,6 +69,43 @@ TEST(SessionFeed, a_client_follows_a_whole_insertion_by_pose_force_and_event) {
   ASSERT_FALSE(events.empty());
   EXPECT_THAT(events.front(), HasSubstr("\"contact\""));
   EXPECT_THAT(events, ::testing::Contains(HasSubstr("\"puncture\"")));
+}
+
+// What the visual server of a trainer on two machines draws: the skin that the needle dents on the other one.
+TEST(SessionFeed, a_client_sees_the_skin_go_down_with_the_tip_until_it_gives_way) {
+  ServedSession session("speed_mm_s=8 start_mm=5 depth_mm=12 wait_s=0.2 tremor_mm=0");
+  LibraryClient client(session.port());
+  session.start();
+  double depth = 0.0, dent = 0.0, deepest_dent = 0.0;
+  std::optional<double> at_rest;  // lowest place of the skin, of the message that greets
+  bool has_punctured = false;
+  int dented = 0;
+  client.wait_for("", 20s, [&](const Message& message) {
+    if (message.type == "NDARRAY" && message.device == "Force") {
+      const NumberArray rows = read_array(message.content);
+      if (rows.values.size() >= 6) depth = rows.values[rows.values.size() - 5];
+    }
+    if (message.type == "STRING" && message.device == "Event")
+      has_punctured = has_punctured || read_string(message.content).find("\"puncture\"") != std::string::npos;
+    if (message.type == "POLYDATA" && message.device == "Skin") {
+      double lowest = 1e9;
+      for (const Vec3& point : read_surface_points(message.content)) lowest = std::min(lowest, point.y());
+      if (!at_rest) at_rest = lowest;
+      dent = *at_rest - lowest;  // the needle goes in along -y
+      deepest_dent = std::max(deepest_dent, dent);
+      if (!has_punctured && depth > 0.3 && dent > 0.3) {
+        ++dented;
+        EXPECT_NEAR(dent, depth, 0.3) << "the skin lies before the tip";
+      }
+    }
+    return session.finished();
+  });
+  session.join();
+  EXPECT_TRUE(has_punctured);
+  EXPECT_NEAR(at_rest.value_or(1e9), 0.0, 0.5) << "the back is the plane y = 0, to half a voxel";
+  EXPECT_GT(dented, 5);
+  EXPECT_GT(deepest_dent, 1.0);
+  EXPECT_NEAR(dent, 0.0, 0.05) << "the needle is out: the skin lies as it was";
 }
 
 TEST(SessionFeed, commands_hold_the_needle_and_end_the_session_and_unknown_ones_are_answered) {

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "io/tissue_library_file.h"
+#include "simulation/operator_thresholds.h"
 
 namespace bodkin {
 
@@ -74,6 +76,58 @@ TEST(OperatorFile, faults_are_told_with_file_and_line) {
   EXPECT_THAT(refusal_of_text(file_with("<phase name=\"end\" speed_mm_per_s=\"5\">" + stop + "</phase>")),
               HasSubstr("called 'end'"));
   EXPECT_THROW(load_operator("/no/such/operator.xml"), InputError);
+  for (const char* lacking : {"drop_share=\"0.5\"", "time_s=\"1\" share_of=\"dura\""})
+    EXPECT_THAT(refusal_of_text(file_with("\n<phase name=\"in\" speed_mm_per_s=\"5\">\n<until " +
+                                          std::string(lacking) + " then=\"end\"/></phase>")),
+                AllOf(HasSubstr("line 3"), HasSubstr("need a tissue, share_of")));
+}
+
+// Drops and forces in N, phase by phase, that an operator waits for in a patient.
+std::vector<double> thresholds_of(const OperatorScript& script) {
+  std::vector<double> found;
+  for (const OperatorPhase& phase : script.phases) {
+    if (phase.name != "advance" && phase.name != "flavum" && phase.name != "find_dura") continue;
+    for (const OperatorCondition& until : phase.until)
+      for (const std::optional<double>& threshold : {until.force_drop, until.force_above})
+        if (threshold) found.push_back(*threshold);
+  }
+  return found;
+}
+
+TEST(OperatorFile, shares_of_a_tissues_force_are_read_and_written) {
+  const OperatorScript script =
+      parse_operator(file_with("<phase name=\"in\" speed_mm_per_s=\"5\"><until force_above_N=\"5\" share_of=\"dura\" "
+                               "drop_share=\"0.5\" force_above_share=\"3\" then=\"end\"/></phase>"),
+                     "mine.xml");
+  const OperatorCondition& until = script.phases[0].until[0];
+  EXPECT_EQ(until.share_of, "dura");
+  EXPECT_EQ(until.drop_share, 0.5);
+  EXPECT_EQ(until.force_above_share, 3.0);
+  EXPECT_EQ(until.force_above, 5.0);
+  const auto json = nlohmann::json::parse(operator_json(script));
+  EXPECT_EQ(json["phases"][0]["until"][0]["share_of"], "dura");
+  EXPECT_EQ(json["phases"][0]["until"][0]["drop_share"], 0.5);
+  EXPECT_EQ(json["phases"][0]["until"][0]["force_above_share"], 3.0);
+}
+
+// With the tables they are those that the operators had in newtons before there were shares.
+TEST(OperatorFile, the_operators_that_come_with_bodkin_wait_for_what_the_needle_takes) {
+  anatomy::Case patient;
+  patient.library = io::default_tissue_library();
+  const auto thresholds = [&](const char* name) { return thresholds_of(for_patient(load_operator(name), patient)); };
+  const auto are = [](const std::vector<double>& expected) {
+    return ::testing::Pointwise(::testing::DoubleEq(), expected);
+  };
+  EXPECT_THAT(thresholds("expert"), are({2.0, 5.5, 0.3, 5.5}));
+  EXPECT_THAT(thresholds("expert_lumbar_puncture"), are({2.0, 5.5, 0.3, 5.5}));
+  EXPECT_THAT(thresholds("expert_epidural"), are({1.7, 6.5}));
+  EXPECT_THAT(thresholds("novice"), are({2.2, 5.7, 0.5, 5.7}));
+  // A 22G quincke needle: 1.41 N for the ligament, 0.9 N for the dura, and bone as hard as ever.
+  patient.description.haptics.mechanics = anatomy::Mechanics::physical;
+  const std::vector<double> thin = thresholds("expert");
+  EXPECT_NEAR(thin[0], 0.625 * 1.41, 0.005);
+  EXPECT_DOUBLE_EQ(thin[1], 5.5);
+  EXPECT_NEAR(thin[2], 0.45, 1e-9);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "simulation/display_thread.h"
 
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include "tests/sanitized.h"
@@ -53,6 +54,21 @@ TEST(DisplayThread, every_picture_is_of_one_tick) {
     if (now.frame > last) ++pictures;
     last = now.frame;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
+TEST(DisplayThread, shows_another_field_from_its_first_snapshot_on_and_the_forces_go_on) {
+  DisplayThread display(DisplayField(Eigen::MatrixXf::Ones(30, 6)), 500.0);
+  display.set_forces(push_of(2.0F));
+  ASSERT_TRUE(comes_true(display, [](const DisplaySnapshot& now) { return now.displacements[29] == 2.0F; }));
+  for (const std::size_t points : {4U, 50U, 10U}) {
+    const auto rows = static_cast<Eigen::Index>(3 * points);
+    display.show(std::make_unique<GrowingField>(DisplayField(Eigen::MatrixXf::Constant(rows, 6, 0.5F))));
+    EXPECT_EQ(display.snapshot().displacements.size(), 3 * points) << "at once";
+    EXPECT_TRUE(comes_true(display, [&](const DisplaySnapshot& now) {
+      EXPECT_EQ(now.displacements.size(), 3 * points);
+      return now.displacements.back() == 1.0F;
+    }));
   }
 }
 

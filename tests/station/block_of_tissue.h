@@ -4,12 +4,16 @@
 #include <memory>
 
 #include "patient/prepared_body.h"
+#include "session/replay.h"
 #include "tests/fem/lattice_body.h"
+#include "tests/simulation/real_time_guard.h"
+#include <gtest/gtest.h>
 
 #include "anatomy/case.h"
 #include "fem/solid/contact_body.h"
 #include "fem/solid/patient_body.h"
 #include "io/tissue_library_file.h"
+#include "simulation/haptic_tick.h"
 
 namespace bodkin {
 
@@ -58,6 +62,29 @@ inline BlockOfTissue block_of_tissue() {
                           made.whole->contact_points(stations, path.direction(), settings.tip_radius)),
                       path};
   return made;
+}
+
+// One tick with the needle there, recorded; how often it took memory or a lock.
+inline std::size_t record_tick(simulation::HapticTick& tick, const Pose& needle, session::Session& session) {
+  simulation::TickRecord record;
+  record.tick = session.ticks.size();
+  record.input.needle = needle;
+  std::size_t real_time_calls = 0;
+  {
+    const RealTimeGuard guard;
+    record.output = tick.step(record.input);
+    real_time_calls = RealTimeGuard::heap_calls() + RealTimeGuard::lock_calls();
+  }
+  for (const forces::Event& event : record.output.events) session.events.push_back({record.tick, event});
+  record.output.events.clear();
+  session.ticks.push_back(record);
+  return real_time_calls;
+}
+
+inline void expect_replay(const session::Session& session, const BlockOfTissue& block) {
+  const session::ReplayResult same = session::replay_session(session, block.patient, {}, block.body.get());
+  EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
+  EXPECT_EQ(same.ticks, session.ticks.size());
 }
 
 }  // namespace bodkin

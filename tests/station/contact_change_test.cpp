@@ -69,7 +69,7 @@ ChangedWithin changed_within(const BlockOfTissue& block) {
   for (double depth = -3.0; depth < 20.0; depth += 0.02) step(depth);
   numbers.order(block.patient.description.haptics, gripping(block.patient, 2.0),
                 [&](NumberChange change) { session.changes.push_back(std::move(change)); });
-  for (int wait = 0; wait < 5000 && numbers.taken() == 0; ++wait) {
+  for (int wait = 0; wait < 60000 && numbers.taken() == 0; ++wait) {
     step(20.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

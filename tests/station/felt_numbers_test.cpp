@@ -166,7 +166,7 @@ TEST_F(FeltNumbersTest, of_another_model_or_rate_wait_for_the_next_attempt) {
   other.resistance = TrackingWallSettings{};
   station.change_numbers(other, tissues(1.0));
   std::string said;
-  for (int i = 0; i < 400 && said.find("another force model") == std::string::npos; ++i) {
+  for (int i = 0; i < 20000 && said.find("another force model") == std::string::npos; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     said = station.update().message;
   }

@@ -6,7 +6,6 @@
 
 #include "patient/prepared_body.h"
 #include "session/replay.h"
-#include "tests/simulation/real_time_guard.h"
 #include "tests/station/block_of_tissue.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +34,6 @@ using ::testing::HasSubstr;
 struct Insertion {
   Vec3 entry, direction;
   double depth = 25.0;
-  bool is_planned = false;  // along the planned path, of which nothing has to be computed
 };
 
 const Vec3 aslant = Vec3(0.3, 0.0, 1.0).normalized();
@@ -56,7 +54,7 @@ Session session_on_own_lines(const BlockOfTissue& block, Points points, const st
   session.header.haptics = block.patient.description.haptics;
   session.header.dt = 0.001;
   HapticTick tick(block.patient);
-  const std::shared_ptr<ContactLine> line = tick.body()->stream_points(false);
+  const std::shared_ptr<ContactLine> line = tick.body()->stream_points(simulation::BodyPort::PointTiming::as_known);
   std::shared_ptr<const ContactBody> kept = block.whole;
   std::unique_ptr<ContactStream> stream;
   const auto patient = std::make_shared<const Case>(block.patient);
@@ -64,18 +62,9 @@ Session session_on_own_lines(const BlockOfTissue& block, Points points, const st
     stream = contact_stream(*block.body, patient, session.header.path.length(), kept, line);
   std::size_t real_time_calls = 0;
   const auto step = [&](const Insertion& insertion, double way) {
-    TickRecord record;
-    record.tick = session.ticks.size();
-    record.input.needle = needle_pose(insertion.entry + way * insertion.direction, insertion.direction);
-    {
-      const RealTimeGuard guard;
-      record.output = tick.step(record.input);
-      real_time_calls += RealTimeGuard::heap_calls() + RealTimeGuard::lock_calls();
-    }
-    for (const Event& event : record.output.events) session.events.push_back({record.tick, event});
-    record.output.events.clear();
-    session.ticks.push_back(record);
-    if (points == Points::in_time && !insertion.is_planned && !record.output.in_contact)
+    real_time_calls +=
+        record_tick(tick, needle_pose(insertion.entry + way * insertion.direction, insertion.direction), session);
+    if (points == Points::in_time && !session.ticks.back().output.in_contact)
       line->wait_for(ContactLine::most_points);
   };
   for (const Insertion& insertion : insertions) {
@@ -99,12 +88,6 @@ int punctures_of(const Session& session, TissueId tissue) {
       std::count_if(session.events.begin(), session.events.end(), [tissue](const SessionEvent& event) {
         return event.event.kind == EventKind::puncture && event.event.tissue == tissue;
       }));
-}
-
-void expect_replay(const Session& session, const BlockOfTissue& block) {
-  const ReplayResult same = replay_session(session, block.patient, {}, block.body.get());
-  EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
-  EXPECT_EQ(same.ticks, session.ticks.size());
 }
 
 TEST(OwnLines, a_needle_enters_where_nothing_was_prepared) {
@@ -150,7 +133,7 @@ TEST(OwnLines, beside_a_needle_that_was_left_replay_to_the_bit) {
 TEST(OwnLines, share_their_holes_with_prepared_lines) {
   const BlockOfTissue block = block_of_tissue();
   const Vec3 planned = block.patient.description.procedure.path->entry;
-  const Insertion prepared{planned, Vec3::UnitZ(), 15.0, true};
+  const Insertion prepared{planned, Vec3::UnitZ(), 15.0};
   const Insertion beside{planned + Vec3(1.7, 0.0, 0.0), Vec3::UnitZ(), 15.0};
   const Insertion through_hole{planned, Vec3(-0.3, 0.2, 1.0).normalized(), 15.0};
   const auto skins_of = [&](const std::vector<Insertion>& insertions) {
@@ -186,7 +169,7 @@ TEST(OwnLines, are_felt_before_their_points_are_there) {
 
 TEST(OwnLines, a_session_in_another_corridor_of_nodes_is_refused_in_a_sentence) {
   const BlockOfTissue block = block_of_tissue();
-  Session session = session_on_own_lines(block, Points::in_time, {{Vec3(15.0, 30.0, 0.0), Vec3::UnitZ(), 3.0, true}});
+  Session session = session_on_own_lines(block, Points::in_time, {{Vec3(15.0, 30.0, 0.0), Vec3::UnitZ(), 3.0}});
   session.events.push_back({120, {EventKind::corridor_taken, tissue::skin, 0.1, 100.0}});
   try {
     replay_session(session, block.patient, {}, block.body.get());

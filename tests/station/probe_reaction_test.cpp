@@ -32,8 +32,12 @@ class SlowSpring {
     next_.probe = probe.translation();
     next_.nodes = deep > 0.0 ? 4 : 0;
     next_.on_probe.force = Vec3(-0.2 * stiffness_ * probe.translation().x(), 0.0, stiffness_ * std::max(0.0, deep));
+    next_.by_needle.force = Vec3(0.0, 0.0, deep > 0.0 ? needle : 0.0);
+    next_.on_probe.force += next_.by_needle.force;
     return told_;
   }
+
+  double needle = 0.0;  // N, by which a needle pushes the probe out
 
  private:
   double stiffness_;
@@ -66,6 +70,31 @@ TEST(ProbeReaction, at_rest_the_hand_feels_the_bodys_own_force_through_a_spring_
           << "and the body feels the same";
       EXPECT_LT(largest_jump, 0.15) << stiffness << " through " << device;
     }
+  }
+}
+
+// A needle that another hand pushes against the tissue under the probe is felt, and no sudden push of it is taken for
+// a firm body, on which the probe would hardly move any more.
+TEST(ProbeReaction, a_needles_push_is_felt_and_the_probe_goes_on_as_before) {
+  for (const double stiffness : {0.5, 5.0}) {
+    ProbeReaction reaction(tick, 1.0), without(tick, 1.0);
+    SlowSpring body(stiffness, 1.0 / 60.0), alone(stiffness, 1.0 / 60.0);
+    const auto step = [&](double z, int i) {
+      const double tremor = 0.05 * std::sin(0.06 * i);  // mm
+      without.step(probe_at(0.0, z + tremor), alone.look(without.probe()), true);
+      reaction.step(probe_at(0.0, z + tremor), body.look(reaction.probe()), true);
+    };
+    for (int i = 0; i < 3000; ++i) step(-4.0, i);
+    for (int push = 0; push < 6; ++push) {
+      body.needle = push % 2 == 0 ? 0.8 : 0.0;
+      for (int i = 0; i < 200; ++i) step(-4.0, i);
+    }
+    body.needle = 0.8;
+    for (int i = 0; i < 400; ++i) step(-6.0, i);
+    // F = f: the spring of 1 N/mm and the body share the way, and the needle pushes on top.
+    const double felt = (6.0 * stiffness + 0.8) / (stiffness + 1.0);
+    EXPECT_NEAR(reaction.force(), felt, 0.05 * felt + 0.06) << stiffness;
+    EXPECT_GT(reaction.force(), without.force() + 0.1);
   }
 }
 

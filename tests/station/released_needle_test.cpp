@@ -65,14 +65,44 @@ TEST(ReleasedNeedle, goes_with_the_breath_when_it_is_frozen_and_the_recording_re
   EXPECT_FALSE(replay.difference.has_value());
 }
 
+Pose moved_by(const Vec3& by) {
+  Pose motion = Pose::Identity();
+  motion.translation() = by;
+  return motion;
+}
+
 TEST(ReleasedNeedle, takes_up_its_place_anew_whenever_it_is_let_go) {
   ReleasedNeedle needle;
-  EXPECT_EQ(needle.step(false, Vec3(1.0, 2.0, 3.0), Vec3(5.0, 0.0, 0.0)), Vec3::Zero());
-  EXPECT_EQ(needle.step(true, Vec3(1.0, 2.0, 3.0), Vec3(5.0, 0.0, 0.0)), Vec3::Zero()) << "it lies where it is";
-  EXPECT_LT((needle.step(true, Vec3(1.0, 2.0, 3.0), Vec3(5.5, 0.0, -1.0)) - Vec3(0.5, 0.0, -1.0)).norm(), 1e-12);
-  EXPECT_LT(needle.step(true, Vec3(1.5, 2.0, 2.0), Vec3(5.5, 0.0, -1.0)).norm(), 1e-12) << "it has gone there";
-  EXPECT_EQ(needle.step(false, Vec3::Zero(), Vec3(9.0, 9.0, 9.0)), Vec3::Zero());
-  EXPECT_EQ(needle.step(true, Vec3(7.0, 0.0, 0.0), Vec3(9.0, 9.0, 9.0)), Vec3::Zero());
+  const auto step = [&needle](bool is_released, const Vec3& tip, const Vec3& of_tissue) {
+    const ReleasedNeedle::Step found = needle.step(is_released, moved_by(tip), moved_by(of_tissue));
+    EXPECT_EQ(found.turn, Mat3::Identity());
+    return found.by;
+  };
+  EXPECT_EQ(step(false, Vec3(1.0, 2.0, 3.0), Vec3(5.0, 0.0, 0.0)), Vec3::Zero());
+  EXPECT_EQ(step(true, Vec3(1.0, 2.0, 3.0), Vec3(5.0, 0.0, 0.0)), Vec3::Zero()) << "it lies where it is";
+  EXPECT_LT((step(true, Vec3(1.0, 2.0, 3.0), Vec3(5.5, 0.0, -1.0)) - Vec3(0.5, 0.0, -1.0)).norm(), 1e-12);
+  EXPECT_LT(step(true, Vec3(1.5, 2.0, 2.0), Vec3(5.5, 0.0, -1.0)).norm(), 1e-12) << "it has gone there";
+  EXPECT_EQ(step(false, Vec3::Zero(), Vec3(9.0, 9.0, 9.0)), Vec3::Zero());
+  EXPECT_EQ(step(true, Vec3(7.0, 0.0, 0.0), Vec3(9.0, 9.0, 9.0)), Vec3::Zero());
+}
+
+TEST(ReleasedNeedle, goes_where_tissue_that_turns_takes_it) {
+  ReleasedNeedle needle;
+  Pose now = needle_pose(Vec3(3.0, -20.0, 8.0), Vec3(0.1, 0.2, -1.0).normalized());
+  Pose before = Pose::Identity();  // of the tissue, when the needle was let go
+  before.linear() = Eigen::AngleAxisd(0.05, Vec3::UnitY()).toRotationMatrix();
+  before.translation() = Vec3(1.0, 0.0, -2.0);
+  const Pose first = now;
+  Pose motion = before;
+  for (int tick = 0; tick < 1000; ++tick) {
+    motion.linear() = Eigen::AngleAxisd(0.05 + 2e-4 * tick, Vec3::UnitY()).toRotationMatrix();
+    motion.translation() = Vec3(1.0, 0.0, -2.0) + 0.004 * tick * Vec3(1.0, -1.0, 0.5);
+    const ReleasedNeedle::Step step = needle.step(true, now, motion);
+    now.translation() += step.by;
+    now.linear() = step.turn * now.linear();
+  }
+  const Pose expected = motion * before.inverse() * first;
+  EXPECT_LT((now.matrix() - expected.matrix()).norm(), 1e-9);
 }
 
 }  // namespace

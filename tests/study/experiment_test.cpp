@@ -202,6 +202,31 @@ TEST(Experiment, both_deformable_models_are_played_on_layers) {
   }
 }
 
+// 8 mm beside the line, and tilted in the fat: the layers are met there too.
+TEST(Experiment, a_needle_in_a_deformable_body_is_felt_beside_the_line_of_the_motion) {
+  const std::string text = R"(<experiment version="1" name="stack" title="a stack">
+  <caption><reproduces>a stack</reproduces></caption>
+  <body><stack mesh_mm="4" width_mm="40"><tissue_layer tissue="skin" thickness_mm="4"/>
+    <tissue_layer tissue="fat" thickness_mm="16"/><tissue_layer tissue="ligamentum_flavum" thickness_mm="4"/>
+    <tissue_layer tissue="epidural_fat" thickness_mm="16"/></stack></body>
+  <haptics><resistance><embedded_needle/></resistance></haptics>
+  <motion from_mm="-5"><move aside_mm="8" speed_mm_per_s="20"/><move depth_mm="10" speed_mm_per_s="20"/>
+    <move tilt_deg="8" time_s="0.4"/><move depth_mm="36" speed_mm_per_s="20"/></motion>
+  <plot><panel><curve quantity="resistance_N"/></panel></plot>
+</experiment>)";
+  const ExperimentRun run = play(parse_experiment(text, "stack.xml"));
+  double skin = 0.0, flavum = 0.0;
+  for (const ExperimentTick& tick : run.ticks) {
+    if (tick.depth < 10.0) skin = std::max(skin, tick.resistance);
+    flavum = std::max(flavum, tick.resistance);
+  }
+  EXPECT_GT(skin, 1.4);
+  EXPECT_LT(skin, 1.5 + 0.1 * 10.0);
+  EXPECT_GT(flavum, 4.6);
+  EXPECT_LT(flavum, 4.7 + 0.1 * 40.0);
+  EXPECT_LT(run.ticks.back().resistance, flavum - 2.0);
+}
+
 TEST(Experiment, a_deformable_model_needs_layers_that_are_plane) {
   std::string text = R"(<experiment version="1" name="ball" title="a ball">
   <caption><reproduces>a ball</reproduces></caption>

@@ -1,7 +1,9 @@
 // What stands over a camera's picture, of a patient whose parts are where the test has put them.
 #include "tracking/augmented_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
@@ -31,13 +33,16 @@ anatomy::Case block() {
   return made;
 }
 
-imaging::MovedTissue moved_by(const Vec3& all) {
+imaging::MovedTissue moved_by(const std::function<Vec3(const Vec3&)>& law) {
   const imaging::PointLattice lattice =
       imaging::lattice_around({Vec3::Constant(-60.0), Vec3::Constant(60.0)}, 30.0, 1000);
   std::vector<float> displacements;
-  for (std::size_t point = 0; point < lattice.points().size(); ++point)
-    for (Eigen::Index axis = 0; axis < 3; ++axis) displacements.push_back(static_cast<float>(all[axis]));
+  for (const Vec3& point : lattice.points())
+    for (const double part : law(point)) displacements.push_back(static_cast<float>(part));
   return {lattice, displacements};
+}
+imaging::MovedTissue moved_by(const Vec3& all) {
+  return moved_by([&](const Vec3& /*rest*/) { return all; });
 }
 
 class AugmentedViewTest : public testing::Test {
@@ -104,6 +109,115 @@ TEST_F(AugmentedViewTest, the_needle_is_in_the_tissue_that_has_moved_to_its_tip)
   const imaging::MovedTissue moved = moved_by(Vec3(-25.0, 0.0, 0.0));
   draw(&moved);
   EXPECT_TRUE(view_.needle()->bone) << view_.needle()->tissue;
+}
+
+// A needle that lies across the picture, from the left through air, fat and muscle into bone: each stretch of its
+// shaft has the colour of the tissue around it, and a tip on bone is ringed in red.
+TEST_F(AugmentedViewTest, the_needle_has_the_colours_of_the_tissues_that_it_lies_in) {
+  for (int k = 0; k < 100; ++k) {
+    for (int j = 0; j < 100; ++j) {
+      for (int i = 0; i < 100; ++i) {
+        const double x = patient_.tissues.grid.to_patient(Vec3(i, j, k)).x();
+        patient_.tissues.at(i, j, k) = x < -25.0  ? anatomy::tissue::fat
+                                       : x < 10.0 ? anatomy::tissue::muscle
+                                                  : anatomy::tissue::cortical_bone;
+      }
+    }
+  }
+  MarkerBody across;
+  across.name = "needle";
+  across.axis = Vec3::UnitX();
+  across.tip = 120.0 * across.axis;
+  AugmentedLook look;
+  look.front_view = look.status = look.plan = false;
+  AugmentedView view(patient_, camera_, Similarity(), look);
+  struct Drawn {
+    imaging::ImageRgb picture;
+    Eigen::Vector2d tip;
+  };
+  const auto draw_to = [&](double x) {
+    TrackedPose pose = mannequin_pose_;
+    pose.camera_from_body.translation() = Vec3(x, 0.0, 500.0) - across.tip;
+    Drawn drawn{{camera_.width, camera_.height}, camera_.project(Vec3(x, 0.0, 500.0))};
+    view.draw(drawn.picture, &mannequin_pose_, {{&across, &pose}}, nullptr);
+    return drawn;
+  };
+  const auto differs = [](const imaging::ImageRgb& picture, const Eigen::Vector2d& at, std::uint32_t colour) {
+    const auto& pixel = picture.at(static_cast<int>(at.x()), static_cast<int>(at.y()));
+    return std::abs(pixel.red - static_cast<int>(colour >> 16)) +
+           std::abs(pixel.green - static_cast<int>((colour >> 8) & 255)) +
+           std::abs(pixel.blue - static_cast<int>(colour & 255));
+  };
+  const auto colour_of_tissue = [&](anatomy::TissueId id) { return patient_.library.find(id)->colour; };
+  const Drawn on_bone = draw_to(25.0);
+  const auto shaft = [&](double x) { return camera_.project(Vec3(x, 0.0, 500.0)); };
+  for (const double x : {-47.0, -40.0, -30.0, -27.0})
+    EXPECT_LT(differs(on_bone.picture, shaft(x), colour_of_tissue(anatomy::tissue::fat)), 12) << x;
+  for (const double x : {-23.0, -10.0, 0.0, 8.0})
+    EXPECT_LT(differs(on_bone.picture, shaft(x), colour_of_tissue(anatomy::tissue::muscle)), 12) << x;
+  for (const double x : {12.0, 18.0})
+    EXPECT_LT(differs(on_bone.picture, shaft(x), colour_of_tissue(anatomy::tissue::cortical_bone)), 12) << x;
+  EXPECT_GT(differs(on_bone.picture, shaft(-55.0), colour_of_tissue(anatomy::tissue::fat)), 100) << "air: steel";
+  ASSERT_TRUE(view.needle().has_value());
+  EXPECT_TRUE(view.needle()->bone);
+  EXPECT_EQ(view.needle()->tissue, patient_.library.title(anatomy::tissue::cortical_bone));
+  EXPECT_NEAR(view.needle()->depth, 25.0 + 50.0, 1.5) << "mm of the shaft inside the block";
+  // Ringed: red on bone, white elsewhere.
+  constexpr double ring = 6.0;  // pixels
+  const auto redness = [](const Drawn& drawn) {
+    const auto& pixel = drawn.picture.at(static_cast<int>(drawn.tip.x()), static_cast<int>(drawn.tip.y() - ring));
+    return static_cast<int>(pixel.red) - static_cast<int>(pixel.green);
+  };
+  EXPECT_GT(redness(on_bone), 100);
+  const Drawn in_muscle = draw_to(0.0);
+  EXPECT_FALSE(view.needle()->bone);
+  EXPECT_NEAR(view.needle()->depth, 50.0, 1.5);
+  EXPECT_LT(std::abs(redness(in_muscle)), 60);
+  EXPECT_LT(differs(in_muscle.picture, shaft(-10.0), colour_of_tissue(anatomy::tissue::muscle)), 12);
+}
+
+// The body of muscle ends at x = 30 mm, in air. Its side is pressed in by 8 mm, and less the farther away tissue is.
+TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
+  for (int k = 0; k < 100; ++k)
+    for (int j = 0; j < 100; ++j)
+      for (int i = 80; i < 100; ++i) patient_.ct.at(i, j, k) = -1000;
+  AugmentedLook look;
+  look.preset = imaging::TransferPreset::skin;
+  look.needle = look.front_view = look.status = look.coarse_while_moving = false;
+  AugmentedView view(patient_, camera_, Similarity(), look);
+  const imaging::MovedTissue pressed = moved_by(
+      [](const Vec3& rest) { return Vec3(-8.0 * std::clamp((rest.x() + 30.0) / 60.0, 0.0, 1.0), 0.0, 0.0); });
+  // Where the outline is, px to the right of the optical axis, in the row through it.
+  const auto outline = [&](const imaging::MovedTissue* moved) {
+    imaging::ImageRgb picture(camera_.width, camera_.height);
+    view.draw(picture, &mannequin_pose_, {}, moved);
+    int right = 0;
+    for (int x = 0; x < picture.width; ++x) {
+      if (picture.at(x, static_cast<int>(camera_.cy)).red > 40) right = x;
+    }
+    return right - camera_.cx;
+  };
+  // The silhouette is the edge that is nearest to the camera, at z = 450 mm.
+  const double at_rest = outline(nullptr), now = outline(&pressed);
+  EXPECT_NEAR(at_rest, camera_.fx * 30.0 / 450.0, 2.0);
+  EXPECT_NEAR(now, camera_.fx * 22.0 / 450.0, 2.0);
+  EXPECT_EQ(outline(nullptr), at_rest);  // let go
+}
+
+// What is used again is used for the same tissue only; what moves less than can be seen costs no rays.
+TEST_F(AugmentedViewTest, rays_are_cast_anew_when_the_tissue_moves) {
+  const imaging::MovedTissue one = moved_by(Vec3(-12.0, 0.0, 8.0)), same = moved_by(Vec3(-12.0, 0.0, 8.01)),
+                             other = moved_by(Vec3(-12.0, 0.0, 9.0));
+  view_.set_look({.status = false, .coarse_while_moving = false});
+  draw(&one);
+  draw(&same);
+  EXPECT_EQ(view_.cast_seconds(), 0.0);
+  draw(&other);
+  EXPECT_GT(view_.cast_seconds(), 0.0);
+  draw(nullptr);
+  EXPECT_GT(view_.cast_seconds(), 0.0);
+  draw(nullptr);
+  EXPECT_EQ(view_.cast_seconds(), 0.0);
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include <cmath>
 
+#include "patient/planning/needle_choice.h"
 #include "session/operator_file.h"
 #include "tests/training/lumbar_patient.h"
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "simulation/closed_loop.h"
 #include "training/procedure_file.h"
 #include "training/score.h"
 
@@ -16,8 +18,7 @@ using namespace bodkin::anatomy;
 using namespace bodkin::training;
 namespace {
 
-Score attempt_score(const std::string& name, std::uint64_t seed) {
-  const Case& patient = lumbar_patient();
+Score attempt_score(const std::string& name, std::uint64_t seed, const Case& patient = lumbar_patient()) {
   const session::Session session =
       simulate_attempt(patient, session::load_operator(name), *patient.description.procedure.path, seed);
   return score(session, patient.description, find_procedure("lumbar_puncture"),
@@ -59,6 +60,61 @@ TEST(SimulatedAttempt, novices_stray_overshoot_and_strike_bone_more_than_experts
   EXPECT_GE(bone[1], bone[0]);
   EXPECT_GT(distance[1], 1.5 * distance[0]);
   EXPECT_GT(tremor[1], 2.0 * tremor[0]);
+}
+
+// Where the needle rests at last, or the nerve root or disc that it pierced before, or the dura that it pierced
+// without resting anywhere.
+TissueId place_found(const Case& patient, const char* name, std::uint64_t seed) {
+  const simulation::OperatorScript script = session::load_operator(name);
+  simulation::ClosedLoop loop(patient, script, *patient.description.procedure.path, seed);
+  simulation::TickRecord record;
+  TissueId there = tissue::air;
+  for (int tick = 0; tick < 120000 && !loop.finished(); ++tick) {
+    loop.step(record);
+    for (const forces::Event& event : record.output.events) {
+      if (event.kind != forces::EventKind::puncture) continue;
+      if (event.tissue == tissue::nerve || event.tissue == tissue::disc) return event.tissue;
+      if (event.tissue == tissue::dura) there = tissue::dura;
+    }
+    if (!loop.finished() && script.phases[static_cast<std::size_t>(loop.phase())].name == "hold")
+      there = record.output.tissue;
+  }
+  return there;
+}
+
+// The ligamentum flavum takes 0.8 N with the 25G needle and 2.3 N with 20G; the tables say 3.2 N of every one.
+TEST(SimulatedAttempt, experts_find_their_place_with_the_forces_of_the_needle_and_novices_mostly_do_not) {
+  Case patient = lumbar_patient();
+  patient.description.haptics.mechanics = Mechanics::physical;
+  for (const char* needle : {"20,90,quincke", "22,90,quincke", "25,90,whitacre"}) {
+    patient.description.needle = patient::parse_needle(needle);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+      EXPECT_EQ(place_found(patient, "expert", seed), tissue::cerebrospinal_fluid) << needle << ", seed " << seed;
+    EXPECT_EQ(attempt_score("expert", 1, patient).verdict, Grade::pass) << needle;
+    constexpr std::uint64_t people = 8;
+    std::uint64_t passed = 0;
+    for (std::uint64_t seed = 1; seed <= people; ++seed)
+      passed += attempt_score("novice", seed, patient).verdict == Grade::pass ? 1 : 0;
+    EXPECT_LE(2 * passed, people) << needle;
+  }
+}
+
+// 18G takes 7.6 N before the ligamentum flavum gives way, more than the 6 N of the device that a case has by default.
+TEST(SimulatedAttempt, the_expert_finds_the_epidural_space_where_the_device_is_strong_enough) {
+  Case patient = lumbar_patient();
+  patient.description.haptics.mechanics = Mechanics::physical;
+  NeedlePath& path = *patient.description.procedure.path;
+  path.target -= 7.0 * path.direction();  // in the epidural space
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    patient.description.device = {};
+    patient.description.needle = patient::parse_needle("20,90,tuohy");
+    EXPECT_EQ(place_found(patient, "expert_epidural", seed), tissue::epidural_fat) << seed;
+    patient.description.needle = patient::parse_needle("18,90,tuohy");
+    EXPECT_EQ(place_found(patient, "expert_epidural", seed), tissue::air) << seed << ": it gives up, the dura whole";
+    patient.description.device.peak_force = 12.0;
+    patient.description.device.continuous_force = 4.0;
+    EXPECT_EQ(place_found(patient, "expert_epidural", seed), tissue::epidural_fat) << seed;
+  }
 }
 
 // The table was made by `bodkin cohort` on the patient with voxels of 1 mm; here they are 1.5 mm.
