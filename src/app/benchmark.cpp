@@ -125,15 +125,17 @@ void measure_needle(MainWindow& window, double seconds, std::vector<BenchmarkRow
               }),
       17.0, 60.0);
   push_until("the tissue", [&] { return practice.frame().depth > lowest; });
-  double direction = 1.0;
-  add(rows, "needle moves in tissue",
-      cost_of(window, seconds,
-              [&] {
-                if (practice.frame().depth > deepest) direction = -1.0;
-                if (practice.frame().depth < lowest) direction = 1.0;
-                practice.push(direction, true);
-              }),
-      10.0, 60.0);
+  const auto move = [&, direction = 1.0]() mutable {
+    if (practice.frame().depth > deepest) direction = -1.0;
+    if (practice.frame().depth < lowest) direction = 1.0;
+    practice.push(direction, true);
+  };
+  add(rows, "needle moves in tissue", cost_of(window, seconds, move), 10.0, 60.0);
+  window.run(Command::toggle_volume);
+  const VolumeView& volume = window.practise_page().volume();
+  wait_until("the volume beside the slices", [&] { return volume.volume() != nullptr && volume.is_settled(); });
+  rows.push_back({"needle moves before the volume", cost_of(window, seconds, move).rate, "frames/s", 25.0, false});
+  window.run(Command::toggle_volume);
 }
 
 void measure_camera(MainWindow& window, double seconds, std::vector<BenchmarkRow>& rows) {

@@ -12,9 +12,13 @@ using Clock = std::chrono::steady_clock;
 constexpr int slow_interval = 33;                      // ms
 constexpr double too_slow = 25.0, quick_again = 12.0;  // ms a frame
 constexpr int slow_frames = 3, quick_frames = 60;      // the latter at 30 a second
-constexpr double most_behind = 2.0;                    // frames that are made up for
+constexpr int most_behind = 2;                         // frames that are made up for
 
 }  // namespace
+
+Clock::time_point next_due(Clock::time_point due, Clock::time_point now, std::chrono::milliseconds interval) {
+  return std::max(due + interval, now - most_behind * interval);
+}
 
 FrameClock::FrameClock(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
@@ -43,13 +47,9 @@ void FrameClock::tick() {
   if (quick_ >= quick_frames) interval_ = quick_interval;
 }
 
-// One that comes late does not delay those after it, or a frame in ten that the system holds up would be missing from
-// each second.
 void FrameClock::wait_for_next() {
   const Clock::time_point now = Clock::now();
-  const auto interval = std::chrono::milliseconds(interval_);
-  const auto behind = std::chrono::duration_cast<Clock::duration>(most_behind * interval);
-  due_ = std::max(due_ + interval, now - behind);
+  due_ = next_due(due_, now, std::chrono::milliseconds(interval_));
   const double left = std::chrono::duration<double, std::milli>(due_ - now).count();
   timer_.start(static_cast<int>(std::lround(std::max(0.0, left))));
 }

@@ -6,6 +6,13 @@
 
 namespace bodkin::app {
 
+// When the frame after one is due that was due at `due` and began at `now`. One that comes late does not delay those
+// after it, or a frame in ten that the system holds up would be missing from each second; two are made up for at
+// most.
+std::chrono::steady_clock::time_point next_due(std::chrono::steady_clock::time_point due,
+                                               std::chrono::steady_clock::time_point now,
+                                               std::chrono::milliseconds interval);
+
 // The one clock that draws: 60 frames a second while the window keeps up, 30 when it has not for three frames, 60
 // again after two quick seconds. With a virtual clock every frame is 1/60 s later than the last one, however long it
 // took.

@@ -121,6 +121,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
     measure_plan(frame);
   }
   frame.device = news.device;
+  frame.device_limits = news.limits;
   frame.guard = news.servo.state;
   frame.fault = news.servo.fault;
   frame.limits = news.servo.limits;
@@ -130,7 +131,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.timings = news.needle.ticks > 0 ? &news.timings : nullptr;
   frame.ultrasound = news.ultrasound.get();
   frame.message = news.needle.corridor_left
-                      ? "The deformable body is not prepared here: draw the needle back to the skin."
+                      ? "The needle is past the tissue that was computed ahead of it: draw it back a little."
                       : news.message;
   if (frame.follows_tip && is_touching()) frame.crosshair = frame.needle.translation();
 }
@@ -178,6 +179,7 @@ Changes FrameMaker::changes(const Frame& frame) {
   last_.displacements = {};
   last_.left_needles = {};
   last_.diagnostic_names = {};
+  last_.notes = {};
   last_.timings = nullptr;
   last_.ultrasound = nullptr;
   return changes;

@@ -28,6 +28,8 @@ enum class Command : std::uint8_t {
   draw_out,
   push_in_finely,
   draw_out_finely,
+  turn_back,  // about its axis, while the key is held
+  turn_clockwise,
   withdraw,
   leave_needle,
   take_out_needle,

@@ -138,7 +138,7 @@ void MainWindow::connect_views() {
   connect(&practise_->view3d(), &View3d::body_placed, this, [this](const Vec3& middle, const Mat3& rotation) {
     practice_.place_body({middle, rotation});
   });
-  connect(&practise_->view3d(), &View3d::ready, this,
+  connect(&practise_->view3d(), &View3d::points_changed, this,
           [this] { practice_.follow_points(practise_->view3d().deformable_points()); });
   connect_other_hand();
   connect(practise_, &PractisePage::again_requested, this, [this] { run(Command::again); });
@@ -370,8 +370,8 @@ void MainWindow::draw(double clock) {
   }
   if (frame.state == State::preparing) {
     const CaseModel::Status status = practice_.preparation();
-    const QString what = status.is_busy ? in_words(status.stage) : tr("putting the station together");
-    preparing_->show_progress(what, status.is_busy ? status.fraction : 1.0, status.seconds);
+    const QString what = status.stage.empty() ? tr("putting the station together") : in_words(status.stage);
+    preparing_->show_progress(what, status.fraction, status.seconds);
   }
   if (frame.state == State::ended) {
     results_->show_result(practice_.result() ? &*practice_.result() : nullptr, dangers(),

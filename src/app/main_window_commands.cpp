@@ -87,6 +87,9 @@ void MainWindow::run(Command command) {
     case Command::draw_out:
     case Command::draw_out_finely:
       return practice_.hold_key(-1, command == Command::draw_out_finely);
+    case Command::turn_back:
+    case Command::turn_clockwise:
+      return practice_.hold_turn(command == Command::turn_clockwise ? 1 : -1);
     case Command::withdraw:
       return practice_.withdraw();
     case Command::leave_needle:
@@ -137,6 +140,7 @@ void MainWindow::run(Command command) {
 
 void MainWindow::connect_other_hand() {
   OtherHandBar* const other_hand = &practise_->other_hand();
+  connect(practise_, &PractisePage::said, this, [this](const QString& words) { practice_.say(words.toStdString()); });
   connect(other_hand, &OtherHandBar::finger_turned, this, [this] { run(Command::turn_finger); });
   connect(other_hand, &OtherHandBar::stylet_turned, this, [this] { run(Command::turn_stylet); });
   connect(other_hand, &OtherHandBar::manometer_turned, this, [this] { run(Command::turn_manometer); });
@@ -237,7 +241,11 @@ void MainWindow::show_palette() {
     entries.push_back({tr("go to: %1").arg(name_of(page->scope())), {}, [this, id] { show_page(id); }});
   }
   entries.push_back({tr("go to: Practise"), {}, [this] { show_page(PageId::practise); }});
-  std::vector<Command> listed = {Command::of_the_view, Command::of_the_page, Command::show_palette};
+  // Not those that last as long as a key is held.
+  std::vector<Command> listed = {Command::of_the_view,     Command::of_the_page,    Command::show_palette,
+                                 Command::push_in,         Command::push_in_finely, Command::draw_out,
+                                 Command::draw_out_finely, Command::turn_back,      Command::turn_clockwise,
+                                 Command::press_plunger};
   for (const KeyScope scope : chain_of(page_scope())) {
     for (const KeyBinding& binding : key_table()) {
       const Command command = binding.command;

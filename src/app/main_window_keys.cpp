@@ -59,6 +59,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   // A key that is held says nothing when it is let go elsewhere.
   if (event->type() == QEvent::WindowDeactivate && watched == this) {
     practice_.hold_key(0, false);
+    practice_.hold_turn(0);
     practice_.press_plunger(false);
   }
   const bool is_press = event->type() == QEvent::KeyPress, is_release = event->type() == QEvent::KeyRelease;
@@ -69,6 +70,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (is_release) {
     if ((key->key() == Qt::Key_PageDown || key->key() == Qt::Key_PageUp) && !key->isAutoRepeat())
       practice_.hold_key(0, false);
+    if ((key->key() == Qt::Key_Comma || key->key() == Qt::Key_Period) && !key->isAutoRepeat()) practice_.hold_turn(0);
     if (key->key() == Qt::Key_B && !key->isAutoRepeat()) practice_.press_plunger(false);
     return QMainWindow::eventFilter(watched, event);
   }

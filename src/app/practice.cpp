@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/models/data_folder.h"
-#include "app/models/remote_station.h"
 #include "app/models/warnings.h"
 #include "station/hand_session.h"
 #include <fmt/format.h>
@@ -18,11 +17,9 @@ namespace bodkin::app {
 namespace {
 
 constexpr double warning_stays = 1.5;  // s after the tip has left the place
-constexpr double refusal_shown = 4.0;  // s
 constexpr double far_outside = 400.0;  // mm from the middle of the image, where no patient is
 constexpr double usual_length = 60.0;  // mm of a path where none is planned
 constexpr double before_skin = 40.0;   // mm
-constexpr std::size_t longest_log = 200;
 
 Vec3 middle_of(const anatomy::Grid& grid) {
   return grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1));
@@ -81,7 +78,17 @@ void Practice::follow(const link::ClientSettings& server, const std::filesystem:
 
 void Practice::follow_points(std::vector<Vec3> points) {
   points_ = std::move(points);
-  link_.follow_points(points_);
+  if (server_) return link_.follow_points(points_, {});
+  const bool enters_anywhere = std::holds_alternative<anatomy::EmbeddedNeedleSettings>(haptics_.resistance);
+  if (!enters_anywhere || !is_attempt(state()) || frame_.dimple.depth == 0.0) return;
+  const SkinDimple& entry = frame_.dimple;
+  const double length = plan_ ? plan_->length() : patient_->description().needle.length;
+  link_.follow_points(points_followed_on({entry.at, entry.at + length * entry.inwards}), entry.at);
+}
+
+// The view's points, with those of the slices' tissue about this path and those of left needles after them.
+std::vector<Vec3> Practice::points_followed_on(const anatomy::NeedlePath& path) {
+  return left_needles_.follow(slice_tissue_.follow(points_, path, patient_->patient.tissues), maker_.breath());
 }
 
 void Practice::cancel() {
@@ -147,11 +154,6 @@ bool Practice::feel_models(const ModelSettings& models) {
   return true;
 }
 
-void Practice::say(const std::string& sentence) {
-  refusal_ = sentence;
-  refused_at_ = clock_;
-}
-
 void Practice::set_crosshair(const Vec3& point) {
   frame_.crosshair = point;
   frame_.follows_tip = false;
@@ -180,7 +182,13 @@ void Practice::set_plan(const anatomy::NeedlePath& path) {
 }
 
 CaseModel::Status Practice::preparation() const {
-  return cases_.status();
+  CaseModel::Status status = cases_.status();
+  if (!status.is_busy) {
+    status.stage = again_wanted_ ? "saving the attempt" : link_.news().stage;
+    status.fraction = again_wanted_ ? 0.0 : link_.news().fraction;
+  }
+  status.seconds = clock_ - prepares_since_;
+  return status;
 }
 
 void Practice::take_patient() {
@@ -192,6 +200,10 @@ void Practice::take_patient() {
     points_.clear();  // of another patient
     mover_.begin(usual_place(plan_ ? *plan_ : unplanned_path(patient_->patient.tissues)));
     begin_attempt();
+    for (const std::string& note : cases_.status().notes) {
+      take_note(note);
+      say(note);
+    }
   }
   const CaseModel::Status status = cases_.status();
   if (state() == State::preparing && !status.is_busy && !status.error.empty() && failure_ != status.error) {
@@ -216,16 +228,18 @@ void Practice::begin_attempt() {
   result_.reset();
   failed_with_.clear();
   log_.clear();
+  noted_ = told_ = 0;
   dangers_.clear();
   again_wanted_ = false;
   acknowledged_ = was_forbidden_ = plunger_pressed_ = false;
   completion_.clear();
   aimed_ = false;
   const std::string procedure = stage_ ? stage_->procedure : std::string();
-  const std::string completing = training::completing_tissue(
-      procedure.empty() ? training::procedure_of_case(patient_->description().procedure.name)
-                        : training::find_procedure(procedure));
-  const anatomy::TissueProperties* const lesion = patient_->patient.library.find(completing);
+  const training::Procedure rules = procedure.empty()
+                                        ? training::procedure_of_case(patient_->description().procedure.name)
+                                        : training::find_procedure(procedure);
+  begin_watching(rules);
+  const anatomy::TissueProperties* const lesion = patient_->patient.library.find(training::completing_tissue(rules));
   completing_.reset();
   if (lesion != nullptr) completing_ = lesion->id;
   completes_at_target_ =
@@ -269,8 +283,7 @@ void Practice::begin_attempt() {
       connect_mouse(feed_);
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
-    std::vector<Vec3> followed = left_needles_.follow(points_, maker_.breath());
-    link_.start(std::move(options), device, {plan.has_value(), procedure}, std::move(followed));
+    link_.start(std::move(options), device, {plan.has_value(), procedure}, points_followed_on(path));
     if (feed_ == nullptr && mover_.is_moved()) send_body();
   } catch (const std::exception& error) {
     failure_ = error.what();
@@ -278,26 +291,10 @@ void Practice::begin_attempt() {
   }
 }
 
-void Practice::begin_following() {
-  feed_.reset();
-  haptics_ = patient_->patient.description.haptics;
-  completing_.reset();  // the station ends its session itself
-  const bool is_first = attempts_++ == 0;
-  link_.follow(std::make_unique<RemoteStation>(*server_, patient_, !is_first));
-  link_.follow_points(points_);
-}
-
-bool Practice::is_decided_elsewhere() {
-  if (!server_) return false;
-  say(fmt::format("That is decided at the station, {}:{}.", server_->host, server_->port));
-  return true;
-}
-
 void Practice::take_news(const StationNews& news) {
   using Phase = StationNews::Phase;
   connection_ = news.connection;
-  for (const std::string& note : news.notes) log_.push_back(note);
-  if (log_.size() > longest_log) log_.erase(log_.begin(), log_.end() - longest_log);
+  for (const std::string& note : news.notes) take_note(note);
   take_result(news);
   frame_.other_hand = other_hand(news);
   const bool over = news.phase == Phase::finished || news.phase == Phase::failed || news.phase == Phase::idle;
@@ -362,48 +359,11 @@ void Practice::follow_completion() {
   end();
 }
 
-std::string Practice::hint() const {
-  if (!connection_.empty()) return connection_;
-  if (clock_ - refused_at_ < refusal_shown && !refusal_.empty()) return refusal_;
-  const bool is_above = state() == State::ready || state() == State::aiming;
-  if (frame_.other_hand.finger && (is_above || state() == State::touching))
-    return "Press with the finger. W, then H: the needle.";
-  switch (state()) {
-    case State::preparing:
-      return "The patient is being prepared.";
-    case State::ready:
-      if (feed_ == nullptr) return "Bring the needle to the ring on the skin, and push.";
-      if (stage_ && !stage_->aids.overlay) return "Point at the skin where you want to go in, and click.";
-      return "Point at the ring on the skin and click, or just scroll.";
-    case State::aiming:
-      return control_.is_down() ? "The needle goes to the skin."
-                                : "Click to put the needle on the skin. Drag the hub to tilt.";
-    case State::touching:
-      if (feed_ == nullptr) return "Pressing on skin. Push until it gives.";
-      return "Pressing on skin. Scroll to push until it gives.";
-    case State::in_tissue:
-      if (has_syringe()) return "Hold B: press the plunger. E ends. F1 keys";
-      if (has_fluid()) return "S: stylet out. R: manometer. E ends. F1 keys";
-      if (feed_ == nullptr) return "Push or draw back. E ends. F1 keys";
-      return "Scroll to push or draw back. Space holds. F1 keys";
-    case State::reached:
-      if (has_fluid() && frame_.other_hand.stylet_in)
-        return fmt::format("Target reached at {:.1f} mm. S: stylet out.", frame_.depth);
-      return fmt::format("Target reached at {:.1f} mm. E ends.", frame_.depth);
-    case State::held:
-      return "Held. Space takes the needle up again.";
-    case State::faulted:
-      return "The guard took the force away. V arms again.";
-    case State::device_lost:
-      return "The device does not answer.";
-    default:
-      return {};
-  }
-}
-
 const Frame& Practice::advance(double clock) {
   const double dt = std::clamp(clock - clock_, 0.0, 0.1);
   clock_ = clock;
+  begin_saying();
+  if (frame_.state != State::preparing) prepares_since_ = clock;
   if (state() == State::preparing && !again_wanted_) take_patient();
   const StationNews& news = link_.poll();
   // What the last frame looked at lay in the news before these.
@@ -411,6 +371,7 @@ const Frame& Practice::advance(double clock) {
   frame_.events = {};
   frame_.displacements = {};
   frame_.diagnostic_names = {};
+  frame_.notes = {};
   frame_.timings = nullptr;
   frame_.ultrasound = nullptr;
   take_news(news);
@@ -428,6 +389,7 @@ const Frame& Practice::advance(double clock) {
     follow_fluid();
     follow_warning();
     follow_completion();
+    follow_taken_out();
   } else {
     frame_.warning.reset();
   }
@@ -436,12 +398,15 @@ const Frame& Practice::advance(double clock) {
     frame_.has_needle = false;
     frame_.plan.reset();
   }
+  show_notes();
   ++frame_.number;
   frame_.state = state();
   frame_.clock = clock;
   frame_.hint = hint();
   frame_.left_needles = left_needles_.now(news.displacements, frame_.drawn_in);
   frame_.displacements = left_needles_.of_others(frame_.displacements);
+  frame_.moved_tissue = slice_tissue_.now(frame_.displacements);
+  frame_.displacements = slice_tissue_.of_others(frame_.displacements);
   changes_ = maker_.changes(frame_);
   if (std::exchange(left_needles_changed_, false)) changes_.plan = true;  // the pictures must be drawn again
   return frame_;

@@ -13,11 +13,13 @@
 #include "app/models/case_model.h"
 #include "app/models/left_needles.h"
 #include "app/models/parameter_model.h"
+#include "app/models/slice_tissue.h"
 #include "app/models/station_link.h"
 #include "link/client.h"
 #include "views/frame.h"
 
 #include "training/plan.h"
+#include "training/taken_out.h"
 
 namespace bodkin::app {
 
@@ -72,6 +74,7 @@ class Practice {
   void drag(double millimetres);
   void tilt(double right, double cranial);
   void hold_key(int direction, bool fine);
+  void hold_turn(int direction);
   void withdraw();
   // The needle stays in the body, and the attempt is saved; another begins with another needle.
   void leave_needle();
@@ -108,7 +111,7 @@ class Practice {
   void on_result(std::function<void(const AttemptResult&)> taker) { taker_ = std::move(taker); }
   // Saves what runs, and waits for it.
   void finish();
-  // A sentence that the hint shows for some seconds.
+  // A sentence that the hint shows for some seconds, such as why a wish was not done.
   void say(const std::string& sentence);
   // The body in the workspace of the device, while no needle touches it; a mouse aims at it wherever it lies.
   void take_body();
@@ -127,21 +130,23 @@ class Practice {
   const std::shared_ptr<const OpenCase>& patient() const noexcept { return patient_; }
   // The machine of the attempts; nothing without one.
   const std::optional<station::UltrasoundChoice>& ultrasound() const noexcept { return ultrasound_; }
-  // While it prepares: what, how far, and for how long, s.
+  // While it prepares: what (empty: it is about to begin), how far, and for how long, s. First the patient, then what
+  // the attempt needs.
   CaseModel::Status preparation() const;
   // Why the last preparation came to nothing; empty: it did not.
   const std::string& failure() const noexcept { return failure_; }
-  // Why the attempt has ended by itself, a sentence: the procedure is complete; empty: it has not.
+  // Why the attempt has ended by itself, a sentence: the procedure is complete, or the needle was taken out; empty:
+  // it has not.
   const std::string& completion() const noexcept { return completion_; }
   // Of the attempt that has ended, as soon as it is saved.
   const std::optional<AttemptResult>& result() const noexcept { return result_; }
   // Every place of this attempt where the tip must not be, in the order in which it was met; the same place once.
   const std::vector<MetDanger>& dangers() const noexcept { return dangers_; }
-  // Sentences of station and guard of this attempt, the newest last.
+  // What station and guard have said in this attempt, and what was assumed of the patient; the newest last.
   const std::vector<std::string>& log() const noexcept { return log_; }
   CaseModel& cases() noexcept { return cases_; }
   // Points of the skin (LPS mm, at rest) whose displacements a view draws when the body is a deformable one: from the
-  // next session on, and of a station elsewhere at once.
+  // next session on, and at once of a station elsewhere and of a needle that has entered where others were drawn.
   void follow_points(std::vector<Vec3> points);
 
  private:
@@ -149,10 +154,16 @@ class Practice {
   void take_result(const StationNews& news);
   void take_patient();
   void take_news(const StationNews& news);
+  void take_note(const std::string& sentence);
+  void show_notes();
   void follow_needle();
   void follow_fluid();
   void follow_warning();
   void follow_completion();
+  void begin_watching(const training::Procedure& procedure);
+  void follow_taken_out();
+  void begin_saying();
+  bool is_saying() const;
   std::string hint() const;
   bool may_steer() const;
   bool may_use_other_hand() const;
@@ -162,6 +173,7 @@ class Practice {
   bool must_aim_first();
   bool may_move_body();
   void send_body();
+  std::vector<Vec3> points_followed_on(const anatomy::NeedlePath& path);
   void begin_following();
   // Says so, where the station is elsewhere: what was asked for is decided there.
   bool is_decided_elsewhere();
@@ -176,6 +188,7 @@ class Practice {
   std::optional<anatomy::NeedlePath> plan_;      // instead of the one of the case
   std::optional<anatomy::TissueId> completing_;  // the tissue whose touch ends the attempt
   bool completes_at_target_ = false;             // the target is not made of it: reaching it does
+  training::TakenOut taken_out_;
   std::string completion_;
   std::optional<AttemptResult> result_;
   std::optional<training::PlanStage> stage_;
@@ -193,11 +206,14 @@ class Practice {
   Changes changes_;
   std::string failure_, failed_with_;
   std::string connection_;  // why there is none to the station; empty: all is well
-  std::string refusal_;     // why the last wish was not done
+  std::string said_;        // what the hint shows for some seconds
   std::vector<std::string> log_;
+  std::size_t noted_ = 0, told_ = 0;  // of the log, what a frame and what the hint has had
   std::vector<MetDanger> dangers_;
+  SliceTissue slice_tissue_;
   LeftNeedles left_needles_;
-  double refused_at_ = 0.0, safe_since_ = 0.0, clock_ = 0.0;
+  double said_for_ = 0.0;  // s; of a sentence that no frame has shown yet
+  double said_until_ = 0.0, safe_since_ = 0.0, clock_ = 0.0, prepares_since_ = 0.0;
   bool again_wanted_ = false, acknowledged_ = false, was_forbidden_ = false, plunger_pressed_ = false,
        left_needles_changed_ = false, aimed_ = false;
 };

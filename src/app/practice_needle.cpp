@@ -49,6 +49,10 @@ void Practice::hold_key(int direction, bool fine) {
   control_.hold_key(may ? direction : 0, fine);
 }
 
+void Practice::hold_turn(int direction) {
+  control_.hold_turn(may_steer() ? direction : 0);
+}
+
 void Practice::withdraw() {
   if (may_steer()) control_.withdraw();
 }
@@ -137,6 +141,28 @@ void Practice::follow_fluid() {
   for (const session::SessionEvent& each : frame_.events)
     if (each.event.kind == forces::EventKind::fluid_returned && has_syringe())
       say("Fluid comes back through the needle: the dura is open.");
+}
+
+// While the aim is hidden, an attempt that ends by itself would tell that it was reached: a person ends it.
+void Practice::begin_watching(const training::Procedure& procedure) {
+  taken_out_ = {};
+  const bool tells_aim = procedure.taken_out_ends == training::TakenOutEnds::after_goal;
+  if (server_ || (tells_aim && stage_ && !stage_->aids.overlay)) return;
+  taken_out_ = {procedure, patient_->patient, plan_ ? std::optional(plan_->target) : std::nullopt};
+}
+
+void Practice::follow_taken_out() {
+  const bool is_above = (state() == State::ready || state() == State::aiming) && !link_.news().needle.unseen;
+  const bool has_needle = !frame_.other_hand.finger;
+  taken_out_.follow({.time = clock_,
+                     .is_inside = maker_.has_punctured() && has_needle,
+                     .is_outside = is_above && !maker_.is_touching() && !control_.is_down() && has_needle,
+                     .tissue = frame_.tissue,
+                     .tip = frame_.in_tissue,
+                     .events = frame_.events});
+  if (taken_out_.remaining() != 0.0) return;
+  completion_ = "The needle was taken out: the attempt is complete.";
+  end();
 }
 
 bool Practice::has_syringe() const {

@@ -14,6 +14,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/new_case_options.h"
 #include "core/error.h"
 #include "core/parameter_value.h"
 #include "training/procedure_file.h"
@@ -67,7 +68,10 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
   wanted.name = options.name;
   wanted.target = target_of(options.target);
   if (!options.procedure.empty()) wanted.procedure = training::find_shipped_procedure(options.procedure).name;
-  if (!options.needle.empty()) wanted.needle = patient::parse_needle(options.needle);
+  if (!options.needle.empty()) {  // it is chosen for how it feels
+    wanted.needle = patient::parse_needle(options.needle);
+    wanted.mechanics = anatomy::Mechanics::physical;
+  }
   if (options.vary) wanted.gauge = drawn.gauge;
   if (!options.mechanics.empty() && !parse_value(options.mechanics, wanted.mechanics))
     throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
@@ -86,10 +90,12 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
       "  path      from ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) mm, {:.1f} mm long, needle of {:g} mm",
       path.entry.x(), path.entry.y(), path.entry.z(), path.target.x(), path.target.y(), path.target.z(),
       path.length(), made.needle.length));
+  console.line(forces_line(made.haptics.mechanics));
   console.line(fmt::format("Next: bodkin case show {0}, bodkin profile {0}, bodkin app {0}", options.folder));
   const nlohmann::ordered_json json = {{"folder", options.folder},
                                        {"name", made.name},
                                        {"description", made.description},
+                                       {"mechanics", value_text(made.haptics.mechanics)},
                                        {"entry_mm", {path.entry.x(), path.entry.y(), path.entry.z()}},
                                        {"target_mm", {path.target.x(), path.target.y(), path.target.z()}}};
   console.json(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -130,7 +136,8 @@ void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& conte
   add_text(*command, "--needle", options->needle,
            "GAUGE,LENGTH,TIP, such as 21,90,quincke (default: 22 gauge, 50 mm where that reaches, or else 90 mm)");
   add_text(*command, "--mechanics", options->mechanics,
-           "Where the force models have the numbers of the tissues from: tables or physical (default: tables)");
+           "Where the force models have the numbers of the tissues from: tables or physical (default: physical where "
+           "--needle is given, otherwise tables)");
   add_text(*command, "--target", options->target,
            "joint or suprascapular_nerve: where the planned needle goes (default: joint)");
   add_text(*command, "--procedure", options->procedure,

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "patient/prepared_body.h"
+#include "session/case_digest.h"
 #include "session/operator_file.h"
 #include "session/session_run.h"
 #include "session/session_schema.h"
@@ -84,7 +85,11 @@ training::CohortPart part_of_this_process(const std::string& option) {
 }
 
 // The patients of a plan, each loaded once.
-using Patients = std::map<std::string, anatomy::Case>;
+struct PlanPatient {
+  anatomy::Case patient;
+  std::shared_ptr<const fem::ContactBody> whole_body;  // null: rigid
+};
+using Patients = std::map<std::string, PlanPatient>;
 
 training::CohortSettings cohort_settings(const CohortArguments& arguments, Patients& patients, Console& console) {
   training::CohortSettings settings;
@@ -110,7 +115,7 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
           arguments.plan, each.title));
     }
     const auto [place, is_new] = patients.try_emplace(each.patient);
-    anatomy::Case& patient = place->second;
+    anatomy::Case& patient = place->second.patient;
     if (is_new) patient = io::load_case(each.patient, console.progress());
     if (!patient.description.procedure.path) {
       throw InputError(fmt::format("{}: stage '{}': the case {} has no planned path; plan one with 'bodkin case new'",
@@ -118,15 +123,18 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
     }
     stage.path = *patient.description.procedure.path;
     if (is_new) {
-      patient::prepare_body(patient, each.patient, stage.path, console.progress(),
-                            [&](const std::string& text) { console.note(text); });
+      patient::prepare_body(
+          patient, each.patient, stage.path, console.progress(), [&](const std::string& text) { console.note(text); },
+          &place->second.whole_body);
     }
     stage.patient = &patient;
+    stage.whole_body = place->second.whole_body;
     stage.procedure = each.procedure.empty() ? training::procedure_of_case(patient.description.procedure.name)
                                              : training::find_procedure(each.procedure);
-    all += fmt::format(" {} {} {} {} {} {} {}", stage.procedure.name, each.attempts, each.passes, each.score_from,
+    all += fmt::format(" {} {} {} {} {} {} {}{}", stage.procedure.name, each.attempts, each.passes, each.score_from,
                        each.mastery, each.must_pass,
-                       io::read_text_file(fs::path(each.patient) / "case.xml", session::largest_case_xml));
+                       io::read_text_file(fs::path(each.patient) / "case.xml", session::largest_case_xml),
+                       session::mesh_digest(each.patient, patient.description.haptics.resistance));
     settings.stages.push_back(std::move(stage));
   }
   settings.fingerprint = session::text_checksum(all);

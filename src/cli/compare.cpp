@@ -21,6 +21,8 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "core/parameter_value.h"
+#include "forces/needle_law.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 
@@ -35,7 +37,7 @@ struct CompareArguments {
   std::string entry, target;
   std::string output;
   std::vector<std::string> models, parts;
-  std::string constraint, needle, motion, depth = "hand";
+  std::string constraint, needle, mechanics, motion, depth = "hand";
   double withdraw_speed = 0.0;
   Argument withdraw_speed_given, pause_given;
   bool no_reinsert = false;
@@ -49,8 +51,10 @@ constexpr const char* compare_footer = R"(Examples:
   bodkin compare patient --models "tracking_wall,tracking_wall catch_up_s=0.1,tracking_wall catch_up_s=2"
   bodkin compare patient --models volume_proxy --constraint rail --no-reinsert
   bodkin compare patient --needle 16G,90,tuohy                   as another needle than the case's feels it
+  bodkin compare patient --mechanics tables                      with each model's own numbers of the tissues
   bodkin compare patient --motion "25 at 10, hold 2, 10 at 20, 45 at 5, hold 1, out"
 
+The models are compared on one description of each tissue, for the case's needle, whatever mechanics the case says.
 The same motion is played for each: in at constant speed, a stop, out, and in again, or the steps of --motion: depths
 below the skin in mm, 'target' or 'out', each with 'at' a speed in mm/s, and 'hold' with a time in s. Writes BASE.csv (a row per tick, a
 column per model) and BASE.svg (force over depth and over time).
@@ -85,6 +89,32 @@ nlohmann::json json_of(const study::ModelRun& run, const study::Comparison& comp
           {"largest_difference_N", run.largest_difference},
           {"rms_difference_N", run.rms_difference},
           {"tick_on_this_machine_ns", run.nanoseconds}};
+}
+
+// "22G quincke, 0.72 mm".
+std::string words_of(const anatomy::Needle& needle) {
+  const std::string gauge = needle.gauge > 0 ? fmt::format("{}G ", needle.gauge) : std::string();
+  return fmt::format("{}{}, {:.2f} mm", gauge, value_text(needle.tip), needle.outer_diameter);
+}
+
+std::string words_of(anatomy::Mechanics mechanics, const anatomy::Needle& needle) {
+  if (mechanics == anatomy::Mechanics::tables)
+    return "Mechanics: tables, each model its own numbers of the tissues, whatever the needle.";
+  return fmt::format("Mechanics: physical, one description of each tissue for all models, for the needle {}.",
+                     words_of(needle));
+}
+
+// Titles of the tissues on the way, in order, that give way but are not described: there each model keeps its own
+// numbers.
+std::vector<std::string> undescribed(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
+  std::vector<std::string> titles;
+  for (const anatomy::TissueId id : comparison.tissue) {
+    const anatomy::TissueProperties* const tissue = library.find(id);
+    if (tissue == nullptr || tissue->layered.kind != anatomy::LayeredKind::viscoelastic) continue;
+    if (forces::is_described(tissue->physical)) continue;
+    if (std::find(titles.begin(), titles.end(), tissue->title) == titles.end()) titles.push_back(tissue->title);
+  }
+  return titles;
 }
 
 nlohmann::json json_of(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
@@ -168,6 +198,9 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   if (!arguments.constraint.empty()) options.constraint = io::parse_constraint(arguments.constraint, "--constraint");
   if (!arguments.parts.empty()) options.parts = io::parse_parts(arguments.parts, "--part");
   options.reinsert = !arguments.no_reinsert;
+  anatomy::Mechanics mechanics = anatomy::Mechanics::physical;
+  if (!arguments.mechanics.empty() && !parse_value(arguments.mechanics, mechanics))
+    throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", arguments.mechanics));
   const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
   if (!arguments.motion.empty()) {
     options.motion = study::parse_motion(arguments.motion, "--motion");
@@ -182,21 +215,26 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
   const std::string base = arguments.output.empty() ? "compare" : arguments.output;
   for (const char* ending : {".csv", ".svg"}) require_writable(base + ending, "--output");
   anatomy::Case patient = io::load_case(arguments.folder, console.progress());
-  if (!arguments.needle.empty()) {
-    patient.description.needle = patient::parse_needle(arguments.needle);
-    patient.description.haptics.mechanics = anatomy::Mechanics::physical;
-  }
+  if (!arguments.needle.empty()) patient.description.needle = patient::parse_needle(arguments.needle);
+  patient.description.haptics.mechanics = mechanics;
   options.models =
       study::models_of(all ? std::vector<std::string>{} : arguments.models, patient.description.haptics.resistance);
   const anatomy::TissueLibrary library = patient.library;
   const std::string name = patient.description.name;
   const double peak_force = patient.description.device.peak_force;
+  const std::string felt = words_of(mechanics, patient.description.needle);
   const study::Comparison comparison =
       study::compare_models(std::move(patient), options, console.progress(), [&](anatomy::Case& with) {
         patient::prepare_body(with, arguments.folder, study::straight_path(with, options.entry, options.target).path,
                               console.progress(), [&](const std::string& text) { console.note(text); });
       });
   for (const std::string& note : comparison.notes) console.note(note);
+  if (mechanics == anatomy::Mechanics::physical) {
+    const std::vector<std::string> own = undescribed(comparison, library);
+    if (!own.empty())
+      console.note(fmt::format("the tissue library does not describe {}: each model keeps its own numbers there",
+                               fmt::join(own, ", ")));
+  }
   for (const study::ModelRefused& model : comparison.refused)
     console.note(fmt::format("{} is left out: {}", model.name, model.reason));
 
@@ -209,9 +247,11 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
 
   write_file(base + ".csv", study::comparison_csv(comparison));
   write_file(base + ".svg", picture);
+  console.line(felt + "\n");
   print_tables(console, comparison, library);
   console.line(fmt::format("\n{}\n{}", fs::absolute(base + ".svg").string(), fs::absolute(base + ".csv").string()));
   nlohmann::json result = json_of(comparison, library);
+  result["mechanics"] = value_text(mechanics);
   result["csv"] = fs::absolute(base + ".csv").string();
   result["svg"] = fs::absolute(base + ".svg").string();
   console.json(result.dump(2));
@@ -232,8 +272,10 @@ void add_compare_command(CLI::App& app, CommandContext& context) {
                         fmt::join(study::compared_names(), ", ")))
       .separated_by_commas("NAME,NAME,...");
   add_text(*command, "--needle", arguments->needle,
-           "Another needle than the case's: GAUGE,LENGTH,TIP, such as 16G,90,tuohy; every model then derives its "
-           "forces from the tissues' physical description");
+           "Another needle than the case's: GAUGE,LENGTH,TIP, such as 16G,90,tuohy");
+  add_text(*command, "--mechanics", arguments->mechanics,
+           "Where the models have the numbers of the tissues from: physical (one description of each tissue, for the "
+           "needle) or tables (each model its own) (default: physical)");
   add_text(*command, "--constraint", arguments->constraint,
            "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
   add_texts(*command, "--part", arguments->parts,

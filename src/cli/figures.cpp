@@ -67,10 +67,13 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
   if (files.empty()) files = io::shipped_experiments();
   // All are read before the first is played: what is wrong is known at once.
   std::vector<report::Figure> figures;
+  std::vector<std::shared_ptr<const fem::ContactBody>> bodies;  // of each figure's patient
   std::set<std::string> names;
   for (const fs::path& file : files) {
     figures.push_back(
-        {study::load_experiment(file, console.progress(), [&](const std::string& text) { console.note(text); }), {}});
+        {study::load_experiment(
+             file, console.progress(), [&](const std::string& text) { console.note(text); }, &bodies.emplace_back()),
+         {}});
     const std::string& name = figures.back().experiment.name;
     if (!names.insert(name).second)
       throw InputError(fmt::format("{}: there is another experiment called '{}'; give one of them another name",
@@ -84,7 +87,7 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
     if (progress)
       progress(fmt::format("{} ({} of {})", figure.experiment.name, done + 1, figures.size()),
                static_cast<double>(done) / static_cast<double>(figures.size()));
-    figure.run = study::play(figure.experiment);
+    figure.run = study::play(figure.experiment, {}, std::move(bodies[done]));
     const std::string base = (folder / figure.experiment.name).string();
     write_file(base + ".svg", report::draw_plots(report::plots_of(figure.experiment, figure.run)).svg());
     write_file(base + ".csv", study::experiment_csv(figure.experiment, figure.run));

@@ -66,10 +66,17 @@ void say_summary(const json& result, const Console& console, const std::string& 
   } else {
     console.line("  path      none was planned; the notes say why. Give --target, or what the notes ask for");
   }
+  console.line(forces_line(result.value("mechanics", "") == "physical" ? anatomy::Mechanics::physical
+                                                                       : anatomy::Mechanics::tables));
   console.line(fmt::format("Next: bodkin case show {0}, bodkin profile {0}", folder));
 }
 
 }  // namespace
+
+std::string forces_line(anatomy::Mechanics mechanics) {
+  return mechanics == anatomy::Mechanics::physical ? "  forces    physical: the needle's, for every model"
+                                                   : "  forces    tables: each model's own, whatever the needle";
+}
 
 void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "DIR", options.folder, "Folder of the case; it must not exist yet").required();
@@ -89,7 +96,8 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(
       command, "--mechanics", options.mechanics,
       "Where the force models have the numbers of the tissues from: tables (each model its own) or physical (one "
-      "description of each tissue, for the needle) (default: tables)");
+      "description of each tissue, for the needle) (default: physical where --needle or --needle-gauge is given, "
+      "otherwise tables)");
   add_texts(command, "--part", options.parts,
             fmt::format("An addition to the force along the needle, \"NAME SETTING=VALUE ...\", may be repeated: {}",
                         fmt::join(io::part_names, ", ")));
@@ -128,6 +136,8 @@ json new_case_request(const NewCaseOptions& options) {
     if (!parse_value(options.mechanics, mechanics))
       throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
     request["mechanics"] = options.mechanics;
+  } else if (options.needle_is_given()) {  // a needle is chosen for how it feels
+    request["mechanics"] = value_text(anatomy::Mechanics::physical);
   }
   if (!options.parts.empty()) {
     io::parse_parts(options.parts, "--part");
@@ -175,6 +185,7 @@ void make_case(const std::string& verb, const json& request, const std::string& 
   json result = json::parse(report.result);
   const std::string folder = request.at("folder");
   result["folder"] = folder;
+  result["mechanics"] = request.value("mechanics", value_text(anatomy::Mechanics::tables));
   say_summary(result, console, folder);
   console.json(result.dump(-1, ' ', false, json::error_handler_t::replace));
 }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "anatomy/case.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 
@@ -31,6 +32,9 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options);
 // The options as the image worker takes them. Throws InputError when one is out of range, or when a path is half
 // given.
 nlohmann::json new_case_request(const NewCaseOptions& options);
+
+// What is said of where a new case has its forces from.
+std::string forces_line(anatomy::Mechanics mechanics);
 
 // Has the image worker make the case and says what came of it.
 void make_case(const std::string& verb, const nlohmann::json& request, const std::string& subject,

@@ -339,7 +339,7 @@ void add_overlay_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--no-status", arguments->no_status, "Leave out the text");
   add_switch(*command, "--ultrasound", arguments->ultrasound, "Add the ultrasound of where the probe points");
   add_switch(*command, "--full-resolution", arguments->full_resolution,
-             "Cast every ray also while the mannequin or the camera moves");
+             "Cast as finely while the mannequin or the camera moves as at rest");
   add_switch(*command, "--times", arguments->times, "Print how long each stage of a picture takes");
   on_run(*command, [arguments, &context] { run_overlay(*arguments, context); });
 }

@@ -39,7 +39,10 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
   PerformScreen screen(console, options.longest);
-  screen.end_at(training::completing_tissue(training::procedure_of_case(options.patient.description.procedure.name)));
+  const training::Procedure procedure = training::procedure_of_case(options.patient.description.procedure.name);
+  screen.end_at(training::completing_tissue(procedure));
+  const std::optional<anatomy::NeedlePath>& plan = options.patient.description.procedure.path;
+  screen.end_with({procedure, options.patient, plan ? std::optional(plan->target) : std::nullopt});
   station::Station station(std::move(options), screen);
   station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();

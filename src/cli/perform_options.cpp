@@ -36,7 +36,8 @@ const char* const perform_footer = R"(Examples:
 The patient lies prone, the head away from you, the skin below the middle of the workspace. Keys: space holds the
 needle where it is and takes it up again; c presses and releases the clutch; a arms after a fault; d takes the force
 away, both for a second hand too; b presses and releases the plunger of a syringe ('--part syringe');
-f feels the skin with a finger and takes the needle again ('--part fingertip'); s takes the stylet out and puts it back, m connects and takes off the manometer ('--part csf_flow'); q ends. 'bodkin devices check' first shows whether the device is well.)";
+f feels the skin with a finger and takes the needle again ('--part fingertip'); s takes the stylet out and puts it back, m connects and takes off the manometer ('--part csf_flow'); q ends. It also
+ends once the needle has been wholly out of the body for 5 s after the procedure's aim was reached. 'bodkin devices check' first shows whether the device is well.)";
 
 void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_text(command, "CASE", options.folder, "Folder of the case").required();

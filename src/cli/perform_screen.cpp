@@ -7,6 +7,7 @@
 #include "station/station.h"
 #include <fmt/format.h>
 
+#include "anatomy/breathing.h"
 #include "cli/terminal_keys.h"
 
 namespace bodkin::cli {
@@ -70,7 +71,6 @@ void PerformScreen::note(const std::string& sentence) {
 
 void PerformScreen::follow_completion(station::Station& station, const station::StationStatus& status) {
   if (ending_.empty()) return;
-  contact_.update(status.needle.output, status.events);
   const anatomy::TissueProperties* const tissue = station.patient().library.find(ending_);
   if (tissue == nullptr || !contact_.has_punctured()) return;
   const auto entered = std::find_if(status.events.begin(), status.events.end(), [tissue](const auto& each) {
@@ -83,11 +83,36 @@ void PerformScreen::follow_completion(station::Station& station, const station::
   station.end();
 }
 
+void PerformScreen::follow_taken_out(station::Station& station, const station::StationStatus& status) {
+  if (has_ended_) return;
+  const simulation::TickOutput& now = status.needle.output;
+  const bool has_needle = !status.needle.other.finger;
+  Vec3 tip = status.needle.needle.translation() - status.needle.needle_ahead;
+  if (const auto& breathing = station.patient().description.breathing)
+    tip = anatomy::BreathField(*breathing).material(tip, now.drawn_in);
+  taken_out_.follow({.time = status.time,
+                     .is_inside = contact_.has_punctured() && has_needle,
+                     .is_outside = !contact_.is_touching() && has_needle && !status.needle.unseen,
+                     .tissue = contact_.is_touching() ? now.tissue : anatomy::tissue::air,
+                     .tip = tip,
+                     .events = status.events});
+  if (taken_out_.remaining() != 0.0) return;
+  has_ended_ = true;
+  note("the needle was taken out: the attempt is complete");
+  station.end();
+}
+
 void PerformScreen::update(station::Station& station, const station::StationStatus& status) {
+  contact_.update(status.needle.output, status.events);
   follow_completion(station, status);
+  follow_taken_out(station, status);
   while (const std::optional<char> key = keys_ == nullptr ? std::nullopt : keys_->next())
     apply_key(*key, station, status.plunger_pressed);
-  if (line_) line_(text_of_status(status, station.patient().library), status.time / longest_);
+  if (!line_) return;
+  std::string text = text_of_status(status, station.patient().library);
+  if (const std::optional<double> left = taken_out_.remaining())
+    text += fmt::format("  OUT, ends in {:.0f} s", std::ceil(*left));
+  line_(text, status.time / longest_);
 }
 
 }  // namespace bodkin::cli

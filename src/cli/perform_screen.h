@@ -7,6 +7,7 @@
 #include "station/station_observer.h"
 
 #include "cli/console.h"
+#include "training/taken_out.h"
 
 namespace bodkin::cli {
 
@@ -25,18 +26,24 @@ class PerformScreen : public station::StationObserver {
   // person ends it.
   void end_at(std::string tissue) { ending_ = std::move(tissue); }
 
+  // It also ends when its needle was taken out, as `watch` has it.
+  void end_with(training::TakenOut watch) { taken_out_ = std::move(watch); }
+
   Progress progress() override { return console_.progress(); }
   void note(const std::string& sentence) override;
   void update(station::Station& station, const station::StationStatus& status) override;
 
  private:
   void follow_completion(station::Station& station, const station::StationStatus& status);
+  void follow_taken_out(station::Station& station, const station::StationStatus& status);
 
   Console& console_;
   Progress line_;  // of the terminal
   double longest_;
   std::string ending_;  // name of a tissue
   station::PunctureWatch contact_;
+  training::TakenOut taken_out_;
+  bool has_ended_ = false;  // by itself
   TerminalKeys* keys_ = nullptr;
 };
 

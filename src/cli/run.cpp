@@ -90,8 +90,9 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
   if (arguments.operator_name.empty()) settings.script = session::load_operator(procedure.expert);
   apply(arguments.forces, patient.description.haptics);
   settings.path = path_of(arguments, patient);
-  patient::prepare_body(patient, arguments.folder, settings.path, console.progress(),
-                        [&](const std::string& text) { console.note(text); });
+  patient::prepare_body(
+      patient, arguments.folder, settings.path, console.progress(),
+      [&](const std::string& text) { console.note(text); }, &settings.whole_body);
   settings.ending = training::completing_id(procedure, patient.library);
   settings.output = arguments.output.empty()
                         ? free_name(patient.description.name, settings.script.name, settings.seed, settings.overwrite)

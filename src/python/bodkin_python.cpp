@@ -82,9 +82,14 @@ class Tick {
  public:
   explicit Tick(std::shared_ptr<Patient> patient) : patient_(std::move(patient)) {
     const py::gil_scoped_release others_may_run;
+    std::shared_ptr<const fem::ContactBody> whole;
     if (anatomy::body_of(patient_->data.description.haptics.resistance) != nullptr)
-      patient::prepare_body(patient_->data, patient_->folder, {}, {}, [](const std::string&) {});
+      patient::prepare_body(
+          patient_->data, patient_->folder, {}, {}, [](const std::string&) {}, &whole);
     tick_.emplace(patient_->data);
+    if (whole == nullptr) return;
+    points_ = patient::contact_stream(patient_->data, patient_->data.corridor.path.length(), std::move(whole),
+                                      tick_->body()->stream_points(simulation::BodyPort::PointTiming::in_time));
   }
 
   py::dict step(const Eigen::Matrix4d& pose) {
@@ -146,6 +151,7 @@ class Tick {
  private:
   std::shared_ptr<Patient> patient_;
   std::optional<simulation::HapticTick> tick_;
+  std::unique_ptr<fem::ContactStream> points_;  // of the needle's own lines in a deformable body
 };
 
 std::optional<std::pair<Vec3, Vec3>> path_of(const Patient& patient) {

@@ -73,9 +73,8 @@ std::size_t material_of(const study::ModelRun& run, PlottedDepth depth) {
   if (depth == PlottedDepth::hand) return 0;
   for (std::size_t i = 0; i < run.diagnostics.size(); ++i)
     if (run.diagnostics[i].name == simulation::material_depth_name) return i;
-  throw InputError(fmt::format(
-      "--depth material: {} says nothing of it; give --needle, or take a case with mechanics=\"physical\"",
-      run.name));
+  throw InputError(
+      fmt::format("--depth material: {} says nothing of it with the tables; leave out --mechanics tables", run.name));
 }
 
 // Where the plot over depth begins, mm: before the skin as far as any model still has a force.

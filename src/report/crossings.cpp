@@ -150,6 +150,8 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return fmt::format("the needle buckles at {:.2f} N, its tip stays", event.value);
     case forces::EventKind::points_taken:
       return "contact points of the needle's line are computed";
+    case forces::EventKind::points_coupled:
+      return "the needle's contact points are coupled with what the probe holds now";
     case forces::EventKind::points_late:
       return fmt::format("the tip is {:.1f} mm past a contact point that is still being computed", event.value);
     case forces::EventKind::palpated:

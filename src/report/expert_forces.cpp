@@ -49,7 +49,7 @@ std::optional<PlotRange> expert_forces(const anatomy::Case& patient, const sessi
     parallel_for(expert_attempts, [&](int attempt) {
       const auto seed = static_cast<std::uint64_t>(attempt) + 1;
       attempts[static_cast<std::size_t>(attempt)] =
-          felt_on_the_way_in(training::simulate_attempt(same, script, header.path, seed, {}, longest));
+          felt_on_the_way_in(training::simulate_attempt(same, script, header.path, seed, {.longest = longest}));
     });
   } catch (const InputError&) {
     return std::nullopt;  // a path of the session that no script can begin on

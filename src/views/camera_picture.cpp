@@ -28,7 +28,7 @@ void CameraPicture::show_picture(std::shared_ptr<const imaging::ImageRgb> pictur
 void CameraPicture::show_words(const QString& words) {
   if (words == words_) return;
   words_ = words;
-  update();
+  if (picture_ == nullptr) update();  // else they are not seen, and a picture takes long to paint
 }
 
 void CameraPicture::paintEvent(QPaintEvent* /*event*/) {

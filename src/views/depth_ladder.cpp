@@ -15,8 +15,10 @@ namespace bodkin::views {
 namespace {
 
 constexpr double bar_left = 10.0, bar_width = 22.0, bar_top = 32.0, below_bar = 34.0;  // pixels
+constexpr double name_left = bar_left + bar_width + 10.0, beside_name = 10.0;
 constexpr double label_gap = 13.0;
-constexpr double least_named = 0.25;  // mm: thinner layers are voxels cut at their edge
+constexpr int least_width = 118, least_height = 160;  // pixels
+constexpr double least_named = 0.25;                  // mm: thinner layers are voxels cut at their edge
 constexpr double line_moved = 0.05, line_turned = 0.05 * degree;
 
 }  // namespace
@@ -39,7 +41,7 @@ std::string short_title(const std::string& title) {
 }
 
 DepthLadder::DepthLadder(QWidget* parent) : View(parent) {
-  setMinimumSize(112, 160);
+  setMinimumSize(112, least_height);
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAccessibleName(tr("Depth ladder"));
 }
@@ -47,8 +49,27 @@ DepthLadder::DepthLadder(QWidget* parent) : View(parent) {
 void DepthLadder::set_case(std::shared_ptr<const OpenCase> patient) {
   patient_ = std::move(patient);
   segments_.clear();
+  wanted_width_ = least_width;
   direction_ = Vec3::Zero();
   update();
+}
+
+QSize DepthLadder::sizeHint() const {
+  return {std::max(least_width, wanted_width_), least_height};
+}
+
+QString DepthLadder::name_of(const DepthSegment& segment) const {
+  return in_words(short_title(patient_->patient.library.title(segment.tissue)));
+}
+
+// Bold, as each of them is when the tip is there.
+void DepthLadder::make_room_for_names() {
+  const QFontMetrics letters(views::font(label_size, true));
+  for (const DepthSegment& segment : segments_) {
+    if (segment.to - segment.from < least_named) continue;
+    const double wide = name_left + letters.horizontalAdvance(name_of(segment)) + beside_name;
+    wanted_width_ = std::max(wanted_width_, static_cast<int>(std::ceil(wide)));
+  }
 }
 
 void DepthLadder::show_frame(const Frame& frame, const Changes& changes) {
@@ -75,6 +96,7 @@ void DepthLadder::show_frame(const Frame& frame, const Changes& changes) {
     entry_ = entry;
     direction_ = direction;
     length_ = length;
+    make_room_for_names();
   }
   update();
 }
@@ -141,7 +163,6 @@ void DepthLadder::draw_names(QPainter& painter) const {
   }
   const std::vector<double> places = spread_labels(wishes, label_gap, bar_top + 4.0, height() - below_bar);
   const DepthSegment* now = depth_ > 0.0 ? segment_at(segments_, depth_) : nullptr;
-  constexpr double name_left = bar_left + bar_width + 10.0;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const bool here = named[i] == now;
     painter.setPen(QPen(theme.line, 1.0));
@@ -149,9 +170,8 @@ void DepthLadder::draw_names(QPainter& painter) const {
       painter.drawLine(QPointF(bar_left + bar_width + 1.0, wishes[i]), QPointF(name_left - 2.0, places[i]));
     }
     set_font(painter, label_size, here);
-    const QString title =
-        painter.fontMetrics().elidedText(in_words(short_title(patient_->patient.library.title(named[i]->tissue))),
-                                         Qt::ElideRight, static_cast<int>(width() - name_left - 4.0));
+    const QString title = painter.fontMetrics().elidedText(name_of(*named[i]), Qt::ElideRight,
+                                                           static_cast<int>(width() - name_left - 4.0));
     draw_text(painter, {name_left, places[i] + 4.0}, title, here ? theme.text : theme.second);
   }
 }

@@ -19,6 +19,9 @@ class DepthLadder : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
 
+  // As wide as the names of the tissues want; it does not shrink while the patient stays.
+  QSize sizeHint() const override;
+
   const std::vector<DepthSegment>& segments() const { return segments_; }
   // Pixels from the upper edge at which a depth (mm) is drawn.
   double row(double depth) const;
@@ -27,12 +30,15 @@ class DepthLadder : public View {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString name_of(const DepthSegment& segment) const;
+  void make_room_for_names();
   void draw_bar(QPainter& painter) const;
   void draw_names(QPainter& painter) const;
   void draw_tip_and_target(QPainter& painter) const;
 
   std::shared_ptr<const OpenCase> patient_;
   std::vector<DepthSegment> segments_;
+  int wanted_width_ = 0;  // pixels
   double length_ = 60.0;  // mm that the bar is long
   double depth_ = 0.0;    // mm; not more than 0 outside
   double target_ = -1.0;  // mm; negative: none

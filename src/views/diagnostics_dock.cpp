@@ -61,11 +61,13 @@ void DiagnosticsDock::show_frame(const Frame& frame, const Changes& changes) {
     energy_.clear();
     log_.clear();
   }
+  for (const std::string& sentence : frame.notes) log_.note(frame.time, sentence);
   log_.note(frame.time, frame.guard, frame.fault, frame.limits);
   energy_.add(frame.time, frame.energy);
   depth_ = frame.depth;
   time_ = frame.time;
   energy_now_ = frame.energy;
+  limits_ = frame.device_limits;
   rate_ = frame.rate;
   const std::size_t count = std::min(forces::count_of(frame.diagnostic_names), frame.diagnostics.size());
   if (numbers_.size() != count) {
@@ -240,21 +242,35 @@ void DiagnosticsDock::draw_energy(QPainter& painter, const QRectF& box) const {
   painter.drawPolyline(line);
 }
 
+QString DiagnosticsDock::words_of_limits() const {
+  if (!limits_) return {};
+  if (limits_->peak_force <= 0.0) return tr("the device renders no force");
+  return tr("the device: at most %1 N, %2 N for long, %3 N/mm")
+      .arg(limits_->peak_force, 0, 'g', 3)
+      .arg(limits_->continuous_force, 0, 'g', 3)
+      .arg(limits_->stiffness, 0, 'g', 2);
+}
+
 void DiagnosticsDock::draw_log(QPainter& painter, const QRectF& box) const {
   const Theme& theme = Theme::now();
-  const QRectF inner = heading(painter, box, tr("What the guard did"));
+  const QRectF inner = heading(painter, box, tr("What guard and station say"));
   set_font(painter, label_size);
   double y = inner.top() + 12.0;
+  if (const QString words = words_of_limits(); !words.isEmpty()) {
+    draw_text(painter, {inner.left(), y}, words, theme.second);
+    y += 17.0;
+  }
   if (log_.lines().empty()) draw_text(painter, {inner.left(), y}, tr("Nothing"), theme.second);
   for (const GuardLog::Line& line : log_.lines()) {
     if (y > box.bottom()) break;
     draw_text(painter, {inner.left() + 40.0, y}, tr("%1 s").arg(line.time, 0, 'f', 1), theme.second, Anchor::right);
     QString words = in_words(line.words);
     if (line.times > 1) words += tr(" (%1 times)").arg(line.times);
-    draw_text(painter, {inner.left() + 50.0, y},
-              painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(inner.width()) - 52),
-              line.bad ? theme.danger : theme.text);
-    y += 17.0;
+    const QRectF room(inner.left() + 50.0, y - painter.fontMetrics().ascent(), inner.width() - 52.0, inner.height());
+    const int how = static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap;
+    painter.setPen(line.bad ? theme.danger : theme.text);
+    painter.drawText(room, how, words);
+    y += painter.boundingRect(room, how, words).height() + 3.0;
   }
 }
 

@@ -35,6 +35,7 @@ class DiagnosticsDock : public View {
     double value = 0.0;
   };
 
+  QString words_of_limits() const;
   QRectF heading(QPainter& painter, const QRectF& box, const QString& title) const;
   void draw_loop(QPainter& painter, const QRectF& box) const;
   void draw_model(QPainter& painter, const QRectF& box) const;
@@ -43,6 +44,7 @@ class DiagnosticsDock : public View {
   void draw_log(QPainter& painter, const QRectF& box) const;
 
   GuardLog log_;
+  std::optional<anatomy::DeviceLimits> limits_;
   std::vector<Number> numbers_;
   ChartCurve energy_{0.05};
   double depth_ = 0.0, time_ = 0.0, energy_now_ = 0.0;  // mm, s, N mm

@@ -110,6 +110,7 @@ struct Frame {
 
   // The machine.
   std::string device;
+  std::optional<anatomy::DeviceLimits> device_limits;  // nothing: it is not known
   haptics::GuardState guard = haptics::GuardState::disarmed;
   haptics::GuardReason fault = haptics::GuardReason::none;
   std::uint32_t limits = 0;  // see HandGuard::limits
@@ -120,10 +121,11 @@ struct Frame {
   const station::LivePicture* ultrasound = nullptr;  // null: none
 
   std::optional<Warning> warning;
-  std::string message;            // the newest sentence of station or guard
-  std::string hint;               // what to do now, one sentence
-  Vec3 crosshair = Vec3::Zero();  // LPS mm, of the slices
-  bool follows_tip = true;        // the crosshair is the tip
+  std::string message;                 // the newest sentence of station or guard
+  std::span<const std::string> notes;  // what the station has said since the last frame
+  std::string hint;                    // what to do now, one sentence
+  Vec3 crosshair = Vec3::Zero();       // LPS mm, of the slices
+  bool follows_tip = true;             // the crosshair is the tip
 };
 
 }  // namespace bodkin::views

@@ -1,7 +1,9 @@
 #include "views/guard_log.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,6 +40,18 @@ void GuardLog::note(double time, haptics::GuardState state, haptics::GuardReason
   }
   state_ = state;
   limits_ = limits;
+}
+
+void GuardLog::note(double time, const std::string& sentence) {
+  constexpr std::string_view after = " s: ";
+  const char* const end = sentence.data() + sentence.size();
+  double own = 0.0;
+  const auto [rest, problem] = std::from_chars(sentence.data(), end, own);
+  const std::string_view words(rest, static_cast<std::size_t>(end - rest));
+  if (problem == std::errc() && words.starts_with(after))
+    add(own, std::string(words.substr(after.size())), false);
+  else
+    add(time, sentence, false);
 }
 
 std::vector<double> histogram_columns(const haptics::LatencyHistogram& histogram, double from, double to,

@@ -11,8 +11,9 @@
 
 namespace bodkin::views {
 
-// What the guard did and why, as lines for people, the newest first. Made from what every frame says of it: a state
-// that came and went between two frames is not in it (the session's recording has it).
+// What the guard did and why, and what the station says, as lines for people, the newest first. What the guard did is
+// made from what every frame says of it: a state that came and went between two frames is not in it (the session's
+// recording has it).
 class GuardLog {
  public:
   struct Line {
@@ -24,6 +25,8 @@ class GuardLog {
 
   // `limits`: bit n for the reason n that limited the force, see HandGuard::limits().
   void note(double time, haptics::GuardState state, haptics::GuardReason fault, std::uint32_t limits);
+  // A sentence that begins with its own time, "0.1 s: armed", stands at that one.
+  void note(double time, const std::string& sentence);
   void clear();
 
   const std::deque<Line>& lines() const { return lines_; }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "imaging/slice.h"
@@ -41,6 +42,7 @@ class Measures {
   std::optional<Measure> with_next(const Vec3& pointer) const;
 
   const std::vector<Measure>& all() const { return all_; }
+  void set(std::vector<Measure> all) { all_ = std::move(all); }
   void remove(std::size_t index);
   void clear() { all_.clear(); }
 

@@ -116,10 +116,13 @@ void ScoutWidget::paintEvent(QPaintEvent*) {
   for (const double y : {from, to}) {
     painter.fillRect(QRectF(all.center().x() - 16.0, y - 2.5, 32.0, 5.0), range_colour);
   }
+  const auto words = [](double z) {
+    return QStringLiteral("%1 %2").arg(z < 0.0 ? QLatin1Char('I') : QLatin1Char('S')).arg(std::abs(z), 0, 'f', 1);
+  };
   draw_text_on_picture(painter, QPointF(all.left() + 6.0, std::min(from, to) - 5.0),
-                       QStringLiteral("S %1").arg(std::max(protocol_.from, protocol_.to), 0, 'f', 1), range_colour);
+                       words(std::max(protocol_.from, protocol_.to)), range_colour);
   draw_text_on_picture(painter, QPointF(all.left() + 6.0, std::max(from, to) + 13.0),
-                       QStringLiteral("S %1").arg(std::min(protocol_.from, protocol_.to), 0, 'f', 1), range_colour);
+                       words(std::min(protocol_.from, protocol_.to)), range_colour);
   if (mark_) {
     painter.setPen(QPen(axial_colour, 1.5));
     painter.drawLine(QPointF(all.left(), y_of(*mark_)), QPointF(all.right(), y_of(*mark_)));

@@ -20,15 +20,26 @@ constexpr double edge_share = 0.12;  // of the view: nearer to its edge the tip 
 }  // namespace
 
 SliceView::SliceView(SliceKind kind, QWidget* parent)
-    : View(parent), kind_(kind), measures_(std::make_shared<Measures>()) {
+    : View(parent), kind_(kind), own_kind_(kind), measures_(std::make_shared<Measures>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
   setAttribute(Qt::WA_OpaquePaintEvent);
+  name_itself();
+}
+
+void SliceView::name_itself() {
   setAccessibleName(title());
   setToolTip(tr("%1 slice. Left drag: crosshair. Right drag: window. Middle drag: move. Ctrl and wheel: zoom. "
                 "Alt and wheel: scroll. M measures a distance, Q an angle.")
                  .arg(title()));
+}
+
+void SliceView::show_along_needle(bool on) {
+  kind_ = on ? SliceKind::along_needle : own_kind_;
+  name_itself();
+  if (patient_ != nullptr) follow(shown_.follows && shown_.has_needle ? shown_.tip : shown_.crosshair);
+  update();
 }
 
 void SliceView::set_case(std::shared_ptr<const OpenCase> patient) {
@@ -113,9 +124,11 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   if (patient_ == nullptr) return;
   shown_.clock = frame.clock;
   if (cine_) step_cine(frame.clock);
-  const bool redraw = frame.drawn_in != shown_.drawn_in || frame.moved_tissue != shown_.moved_tissue ||
-                      changes.needle || changes.tissue || changes.state || changes.plan || changes.crosshair ||
-                      changes.warning || changes.theme || changes.attempt;
+  const bool follows_anew = frame.follows_tip != shown_.follows;  // the tip, or the crosshair where it was left
+  const bool redraw = follows_anew || frame.drawn_in != shown_.drawn_in ||
+                      frame.moved_tissue != shown_.moved_tissue || changes.needle || changes.tissue ||
+                      changes.state || changes.plan || changes.crosshair || changes.warning || changes.theme ||
+                      changes.attempt;
   if (!redraw) return;
   // An attempt without a plan to be seen must not begin with the slices at it.
   if (const bool hides = !frame.plan; changes.attempt && hides != hides_plan_) {
@@ -145,7 +158,7 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   shown_.follows = frame.follows_tip;
   if (frame.follows_tip && frame.has_needle) {
     follow(shown_.tip);
-  } else if (changes.crosshair || !placed_) {
+  } else if (changes.crosshair || follows_anew || !placed_) {
     follow(shown_.crosshair);
   }
   placed_ = true;
@@ -245,6 +258,9 @@ bool SliceView::press(int key) {
       break;
     case Qt::Key_F:
       emit follow_tip_toggled();
+      return true;
+    case Qt::Key_N:
+      show_along_needle(kind_ != SliceKind::along_needle);
       return true;
     case Qt::Key_T:
       next_slab();

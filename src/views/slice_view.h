@@ -37,6 +37,8 @@ class SliceView : public View {
   bool is_measuring() const { return measures_->waiting(); }
 
   SliceKind kind() const { return kind_; }
+  // The plane that holds the needle in place of the view's own.
+  void show_along_needle(bool on);
   const SliceLook& look() const { return look_; }
   void set_look(const SliceLook& look);
   // What is shown now, in pixels of the picture: device pixels, not those of the widget.
@@ -107,8 +109,9 @@ class SliceView : public View {
   QString words_under_pointer() const;
   QColor colour() const;
   QString title() const;
+  void name_itself();
 
-  SliceKind kind_;
+  SliceKind kind_, own_kind_;
   std::shared_ptr<const OpenCase> patient_;
   std::shared_ptr<Measures> measures_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;

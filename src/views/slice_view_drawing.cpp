@@ -350,6 +350,8 @@ void SliceView::open_menu(const QPoint& at) {
     look.hatched = look.tints;
     set_look(look);
   });
+  const bool is_along = kind_ == SliceKind::along_needle;
+  add(is_along ? tr("Not along the needle (N)") : tr("Along the needle (N)"), [this] { press(Qt::Key_N); });
   add(tr("Next slab thickness (T)"), [this] { next_slab(); });
   add(cine_ ? tr("Stop (C)") : tr("Run through the slices (C)"), [this] { press(Qt::Key_C); });
   add(shown_.follows ? tr("Stay here (F)") : tr("Follow the tip (F)"), [this] { emit follow_tip_toggled(); });

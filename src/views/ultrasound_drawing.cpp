@@ -199,7 +199,7 @@ void UltrasoundView::draw_words(QPainter& painter) const {
   // A picture that only shows what was recorded has neither keys nor a rate.
   if (testAttribute(Qt::WA_TransparentForMouseEvents)) return;
   set_font(painter, text_size);
-  if (!scan_->screen().frozen()) {
+  if (!scan_->screen().frozen() && rate_ >= 0.5) {  // none are made while nothing moves
     draw_text(painter, {machine_box().right() - 10.0, 22.0}, tr("%1 pictures/s").arg(rate_, 0, 'f', 0), theme.second,
               Anchor::right);
   }

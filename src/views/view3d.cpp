@@ -21,7 +21,7 @@ constexpr double settles_after = 0.12;           // s after the last movement of
 constexpr double settles_after_breath = 0.3;     // s, the same after the last motion of the patient
 constexpr double flight_time = 0.35;             // s
 // mm from where the skin was cut out at which it is cut out anew. With a deformable body that is avoided, since its
-// displacements are those of the points that were asked for.
+// displacements are those of the points that were asked for, and others are there only some time later.
 constexpr double other_entry = 0.05, other_entry_of_body = 15.0;
 constexpr int margin_of_tip = 9;    // pixels about the tip that its mark takes
 constexpr double cube_size = 76.0;  // pixels
@@ -125,6 +125,7 @@ void View3d::take_surfaces() {
   needle_.shape = patient_->description().needle;
   fit_picture();
   emit ready();
+  emit points_changed();
 }
 
 std::unique_ptr<scene::SoftwareView> View3d::make_scene(
@@ -243,6 +244,7 @@ void View3d::update_scene(const Frame& frame) {
     scene::NeedleLook look = needle_;
     look.pose = left.pose;
     look.ghost = 0.0;
+    look.hub_colour = scene::NeedleLook{}.hub_colour;
     needles.push_back(look);
   }
   if (has_needle_) {
@@ -250,6 +252,7 @@ void View3d::update_scene(const Frame& frame) {
     const double ahead = (frame.hand.translation() - frame.needle.translation()).dot(needle_axis(frame.needle));
     needle_.ghost = needle_is_down(frame.state) && ahead > 0.5 ? ahead : 0.0;
     needle_.ghost_on_bone = frame.warning && frame.warning->kind == Warning::Kind::bone;
+    needle_.hub_colour = frame.depth > 0.0 ? Theme::dark().accent.rgb() & 0xFFFFFFU : scene::NeedleLook{}.hub_colour;
     needles.push_back(needle_);
   }
   for (scene::SoftwareView* scene : scenes()) scene->set_needles(needles);
@@ -286,6 +289,7 @@ void View3d::update_skin(const Frame& frame) {
     if (elsewhere) scene->set_entry(dimple.at, dimple.inwards);
     scene->set_dent(dent, frame.displacements);
   }
+  if (elsewhere && !frame.displacements.empty()) emit points_changed();
 }
 
 QPointF View3d::on_screen(const scene::Place& place) const {

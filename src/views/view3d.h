@@ -69,6 +69,7 @@ class View3d : public View {
   void set_skin_tint(const std::vector<std::uint32_t>& tint);
   // Ways of the tip in finished sessions; null: none.
   void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) { trails_ = std::move(trails); }
+  const std::shared_ptr<const std::vector<scene::Trail>>& trails() const { return trails_; }
   void set_stereo(scene::Stereo stereo);
   scene::Stereo stereo() const { return stereo_; }
 
@@ -88,7 +89,8 @@ class View3d : public View {
   void set_camera(const scene::Camera& camera);
 
  signals:
-  void ready();  // is_ready() from now on
+  void ready();           // is_ready() from now on
+  void points_changed();  // deformable_points() are others than before
   void preset_changed(bodkin::scene::Preset preset);
   void body_taken();                                                           // a drag begins
   void body_placed(const bodkin::Vec3& middle, const bodkin::Mat3& rotation);  // see Workspace

@@ -12,8 +12,8 @@ namespace bodkin::views {
 
 namespace {
 
-constexpr double look_flight = 0.35;                // s
-constexpr int panel_top = 52, tallest_panel = 470;  // pixels
+constexpr double look_flight = 0.35;                               // s
+constexpr int panel_top = 52, panel_gap = 4, tallest_panel = 470;  // pixels
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void View3d::make_look_panel(const QString& place) {
 
 void View3d::place_look_panel() {
   const int tall = std::max(0, std::min(tallest_panel, height() - panel_top - 12));
-  panel_->setGeometry(width() - panel_->width() - 12, panel_top, panel_->width(), tall);
+  panel_->setGeometry(width() - panel_->width() - panel_gap, panel_top, panel_->width(), tall);
 }
 
 void View3d::set_preset(scene::Preset preset) {

@@ -74,7 +74,7 @@ TEST(Biopsy, ends_when_the_tip_touches_the_lesion_with_a_sentence) {
   // The lesion begins 20 mm deep.
   EXPECT_GT(deepest, 17.0);
   EXPECT_LT(deepest, 27.0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return practice.result().has_value(); }, 30000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return practice.result().has_value(); }, 60000));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         const QList<QLabel*> labels = window.findChildren<QLabel*>();
@@ -82,7 +82,7 @@ TEST(Biopsy, ends_when_the_tip_touches_the_lesion_with_a_sentence) {
           return label->isVisible() && label->text().contains(QStringLiteral("touched the lesion"));
         });
       },
-      20000));
+      60000));
   practice.leave();
 }
 

@@ -56,6 +56,24 @@ TEST(Cards, results_have_no_empty_line_under_the_grade) {
   EXPECT_LE(headline->geometry().top() - grade->geometry().bottom(), 14);
 }
 
+TEST(Cards, what_is_prepared_tells_how_long_its_step_still_takes) {
+  QWidget page;
+  PreparingCard card(&page);
+  const auto* const time = card.findChild<QLabel*>(QStringLiteral("preparing.time"));
+  card.show_progress(QStringLiteral("first"), 0.0, 2.0);
+  EXPECT_EQ(time->text(), QStringLiteral("2 s so far"));
+  card.show_progress(QStringLiteral("first"), 0.05, 3.0);
+  EXPECT_EQ(time->text(), QStringLiteral("3 s so far")) << "too early to say";
+  card.show_progress(QStringLiteral("first"), 0.25, 5.0);
+  EXPECT_EQ(time->text(), QStringLiteral("5 s so far, about 9 s more for this step"));
+  card.show_progress(QStringLiteral("first"), 0.97, 13.0);
+  EXPECT_EQ(time->text(), QStringLiteral("13 s so far")) << "as good as done";
+  card.show_progress(QStringLiteral("second"), 0.5, 14.0);
+  EXPECT_EQ(time->text(), QStringLiteral("14 s so far")) << "another step, which has its own pace";
+  card.show_progress(QStringLiteral("second"), 0.6, 17.0);
+  EXPECT_EQ(time->text(), QStringLiteral("17 s so far, about 2 s more for this step"));
+}
+
 TEST(AllowedFrame, shows_where_it_should_have_gone_when_the_attempt_is_over) {
   Frame frame;
   frame.plan = anatomy::NeedlePath{Vec3::Zero(), Vec3(0.0, -40.0, 0.0)};
@@ -89,14 +107,14 @@ TEST_F(FoundPoint, is_needled_where_it_was_found_and_the_true_one_is_shown_at_th
   const auto is_down = [&] { return practice.state() == State::aiming || practice.state() == State::touching; };
   ASSERT_TRUE(wait([&] { return is_down() || !practice.failure().empty(); }, 120)) << practice.failure();
   // On the skin where it was found, not at the planned entry.
-  ASSERT_TRUE(wait([&] { return (practice.frame().needle.translation() - found).norm() < 6.0; }, 30))
+  ASSERT_TRUE(wait([&] { return (practice.frame().needle.translation() - found).norm() < 6.0; }, 60))
       << practice.frame().needle.translation().transpose() << ", found " << found.transpose();
   practice.push(20.0, false);
   ASSERT_TRUE(wait([&] { return practice.frame().depth > 4.0; }, 60)) << practice.frame().depth;
   practice.end();
   ASSERT_TRUE(wait([&] { return practice.state() == State::ended && practice.result().has_value(); }, 60));
   auto* const results = find<ResultsCard>("results");
-  ASSERT_TRUE(wait([&] { return results->isVisible(); }, 10));
+  ASSERT_TRUE(wait([&] { return results->isVisible(); }, 60));
   click("results.look");
   EXPECT_FALSE(results->isVisible());
   window_->run(Command::back);

@@ -65,7 +65,7 @@ class Devices : public testing::Test {
     QTest::mouseClick(window_->findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);
   }
   QString text(const char* name) { return window_->findChild<QLabel*>(QLatin1String(name))->text(); }
-  bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, 30000); }
+  bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, 60000); }
 
   std::unique_ptr<MainWindow> window_;
   DevicesPage* page_ = nullptr;

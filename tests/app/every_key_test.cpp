@@ -19,6 +19,7 @@
 
 #include "app/key_table.h"
 #include "app/main_window.h"
+#include "app/models/kept_measures.h"
 #include "app/pages/models.h"
 #include "app/pages/plan.h"
 #include "app/pages/practise.h"
@@ -41,7 +42,7 @@ class EveryKey : public WindowFixture {
     const int code = QKeySequence(QLatin1String(keys))[0];
     key(code & ~static_cast<int>(Qt::KeyboardModifierMask),
         Qt::KeyboardModifiers(code & static_cast<int>(Qt::KeyboardModifierMask)));
-    EXPECT_TRUE(wait(done, 20)) << keys << " of " << name_of(scope).toStdString();
+    EXPECT_TRUE(wait(done, 60)) << keys << " of " << name_of(scope).toStdString();
   }
   // It holds for a key that something else has tested.
   void elsewhere(KeyScope scope, const char* keys) { pressed_[scope].insert(keys); }
@@ -73,7 +74,7 @@ class EveryKey : public WindowFixture {
   AnyPage* go(PageId id) {
     window_->show_page(id);
     auto* const shown = find<AnyPage>(name_of(id));
-    EXPECT_TRUE(wait([&] { return shown->isVisible(); }, 20)) << name_of(id);
+    EXPECT_TRUE(wait([&] { return shown->isVisible(); }, 60)) << name_of(id);
     return shown;
   }
   // The six standard views by 0 to 6; each looks another way than the one before.
@@ -106,7 +107,7 @@ class EveryKey : public WindowFixture {
 // A patient that was begun by a key is not waited for.
 void EveryKey::press_keys_of_the_start_page() {
   for (const char* keys : {"T", "Return", "Enter"}) {
-    ASSERT_TRUE(wait([&] { return shows("start.begin"); }, 20));
+    ASSERT_TRUE(wait([&] { return shows("start.begin"); }, 60));
     expect(KeyScope::start, keys, [&] { return window_->practice().state() == State::preparing; });
     window_->practice().cancel();
     if (shows("tour.leave")) click("tour.leave");
@@ -154,11 +155,11 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   for (const char* keys : {"Return", "Enter"}) {
     expect(practise, keys, [&] { return !shows("practise.chart"); });
     key(QKeySequence(QLatin1String(keys))[0]);
-    ASSERT_TRUE(wait([&] { return shows("practise.chart"); }, 5));
+    ASSERT_TRUE(wait([&] { return shows("practise.chart"); }, 60));
   }
   expect(practise, "H", [&] { return frame().other_hand.finger; });
   key(Qt::Key_H);
-  ASSERT_TRUE(wait([&] { return !frame().other_hand.finger; }, 5));
+  ASSERT_TRUE(wait([&] { return !frame().other_hand.finger; }, 60));
   elsewhere(practise, "S");  // WholeProcedure
   elsewhere(practise, "R");  // WholeProcedure
   elsewhere(practise, "B");  // WholeProcedure
@@ -188,10 +189,14 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   const QPoint middle = axial->rect().center();
   for (const QPoint& at : {middle, middle + QPoint(30, 0)}) QTest::mouseClick(axial, Qt::LeftButton, {}, at);
   EXPECT_FALSE(axial->is_measuring());
+  EXPECT_FALSE(kept_measures(window_->practice().patient()->folder).empty()) << "it stays with the patient";
   expect(KeyScope::slice, "Q", [&] { return axial->is_measuring(); });
   for (const QPoint& at : {middle, middle + QPoint(0, 30), middle + QPoint(30, 30)})
     QTest::mouseClick(axial, Qt::LeftButton, {}, at);
   elsewhere(KeyScope::slice, "X");  // SliceView
+  expect(KeyScope::slice, "N", [&] { return axial->kind() == SliceKind::along_needle; });
+  key(Qt::Key_N);
+  EXPECT_EQ(axial->kind(), SliceKind::axial);
   const QImage still = axial->grab().toImage();
   expect(KeyScope::slice, "C", [&] { return axial->grab().toImage() != still; });
   key(Qt::Key_C);
@@ -202,9 +207,9 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   key(Qt::Key_M);
   EXPECT_EQ(page().volume().look().mode, imaging::VolumeMode::grey);
   key(Qt::Key_Return);
-  EXPECT_TRUE(wait([&] { return !shows("practise.view3d") && page().volume().width() > window_->width() / 2; }, 5));
+  EXPECT_TRUE(wait([&] { return !shows("practise.view3d") && page().volume().width() > window_->width() / 2; }, 60));
   key(Qt::Key_Return);
-  EXPECT_TRUE(wait([&] { return shows("practise.view3d") && shows("practise.slice.sagittal"); }, 5));
+  EXPECT_TRUE(wait([&] { return shows("practise.view3d") && shows("practise.slice.sagittal"); }, 60));
   click("practise.volume");
   EXPECT_FALSE(shows("practise.volume.view"));
   // The needle.
@@ -216,16 +221,22 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
     const Qt::KeyboardModifiers modifiers(code & static_cast<int>(Qt::KeyboardModifierMask));
     const auto plain = static_cast<Qt::Key>(code & ~static_cast<int>(Qt::KeyboardModifierMask));
     QTest::keyPress(window_->focusWidget(), plain, modifiers);
-    EXPECT_TRUE(wait(done, 20)) << keys;
+    EXPECT_TRUE(wait(done, 60)) << keys;
     QTest::keyRelease(window_->focusWidget(), plain, modifiers);
   };
   held("PgDown", [&] { return frame().depth > 6.0; });
   held("Shift+PgDown", rises(depth));
   held("Shift+PgUp", falls(depth));
   held("PgUp", falls(depth));
+  for (const char* keys : {",", "."}) {
+    held(keys, [&, before = Pose(frame().needle)] {
+      const Eigen::AngleAxisd turn(Mat3(before.linear().transpose() * frame().needle.linear()));
+      return turn.angle() > 0.3 && std::abs(turn.axis().z()) > 0.99;
+    });
+  }
   expect(practise, "Space", [&] { return window_->practice().state() == State::held; });
   key(Qt::Key_Space);
-  ASSERT_TRUE(wait(State::in_tissue, 5));
+  ASSERT_TRUE(wait(State::in_tissue, 60));
   expect(practise, "W", [&] { return frame().depth <= 0.0; });
   held("PgDown", [&] { return frame().depth > 6.0; });
   expect(practise, "Shift+Space", [&] { return window_->practice().left_needles().size() == 1; });
@@ -235,6 +246,7 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   expect(practise, "A", [&] { return window_->practice().state() == State::ready && frame().depth <= 0.0; });
   expect(practise, "U", [&] { return shows("practise.ultrasound"); });
   ASSERT_TRUE(wait(State::ready, 60));
+  EXPECT_TRUE(wait([&] { return page().view3d().trails() != nullptr; }, 60)) << "probe and picture in 3-D";
   held("PgDown", [&] { return frame().depth > 3.0; });
   expect(practise, "E", [&] { return window_->practice().state() == State::ended; });
 }
@@ -275,7 +287,7 @@ void EveryKey::press_keys_of_the_pages() {
   expect(scan, "End", rises(slice_number));
 
   auto* const structures = go<SegmentPage>(PageId::segment);
-  ASSERT_TRUE(wait([&] { return structures->model() != nullptr; }, 20));
+  ASSERT_TRUE(wait([&] { return structures->model() != nullptr; }, 60));
   structures->setFocus();
   const auto checked = [&](const char* name) {
     return [this, name] { return find<QPushButton>(name)->isChecked(); };
@@ -310,14 +322,14 @@ void EveryKey::press_keys_of_the_pages() {
     expect(plan, keys, [&] { return page().isVisible(); });
     if (std::string(keys) == "Enter") break;
     window_->show_page(PageId::plan);
-    ASSERT_TRUE(wait([&] { return planning->isVisible(); }, 20));
+    ASSERT_TRUE(wait([&] { return planning->isVisible(); }, 60));
   }
   ASSERT_TRUE(wait(State::ready, 60));
 }
 
 void EveryKey::press_keys_that_leave() {
   window_->practice().leave();
-  ASSERT_TRUE(wait([&] { return shows("start.begin"); }, 20));
+  ASSERT_TRUE(wait([&] { return shows("start.begin"); }, 60));
   bool asked = false;
   QTimer::singleShot(100, window_.get(), [&] {
     QWidget* const menu = QApplication::activePopupWidget();

@@ -55,6 +55,40 @@ TEST(MouseHand, goes_to_the_wished_depth_without_overshoot) {
   EXPECT_LE(fastest, wish.speed + 1e-9);
 }
 
+// Clockwise for who looks along the needle: what points to his right goes down, so that right, down and ahead are a
+// right-handed system.
+TEST(MouseHand, turns_about_the_axis_at_a_human_pace_and_moves_nowhere_else) {
+  HandWish wish = wish_at(Vec3(3.0, 20.0, -5.0), 12.0);
+  MouseHand hand = hand_at_rest(wish);
+  const Pose before = hand.report().needle;
+  wish.turn = 90.0 * degree;
+  const auto turned = [&] {
+    return Eigen::AngleAxisd(Mat3(before.linear().transpose() * hand.report().needle.linear()));
+  };
+  for (int i = 0; i < 100; ++i) hand.step(wish, Vec3::Zero());
+  EXPECT_NEAR(turned().angle(), 0.1 * MouseHand::twirling_speed, 1e-6);
+  for (int i = 0; i < 900; ++i) hand.step(wish, Vec3::Zero());
+  EXPECT_NEAR(turned().angle(), 90.0 * degree, 1e-6);
+  EXPECT_NEAR(turned().axis().z(), 1.0, 1e-6) << "the third axis points along the needle";
+  EXPECT_NEAR((hand.report().needle.translation() - before.translation()).norm(), 0.0, unease);
+  EXPECT_NEAR(needle_axis(hand.report().needle).dot(wish.axis.normalized()), 1.0, 1e-9);
+}
+
+TEST(NeedleControl, a_key_that_is_held_turns_the_needle_half_a_turn_a_second_but_not_one_that_is_held_still) {
+  NeedleControl control;
+  control.begin({}, SkinPoint{Vec3::Zero(), Vec3::UnitY()});
+  control.hold_turn(1);
+  for (int i = 0; i < 60; ++i) control.update(1.0 / 60.0, {});
+  EXPECT_NEAR(control.wish().turn, 180.0 * degree, 1e-9);
+  control.hold_turn(-1);
+  for (int i = 0; i < 30; ++i) control.update(1.0 / 60.0, {});
+  EXPECT_NEAR(control.wish().turn, 90.0 * degree, 1e-9);
+  control.hold(true);
+  control.hold_turn(1);
+  control.update(1.0, {});
+  EXPECT_NEAR(control.wish().turn, 90.0 * degree, 1e-9);
+}
+
 // Braced against the patient: the needle stays where it is, and where 4 N are gone it goes on by 0.8 mm, slowly.
 TEST(MouseHand, a_braced_hand_gives_way_by_a_fifth_and_slowly) {
   HandWish wish = wish_at(Vec3(3.0, 20.0, -5.0), 20.0);

@@ -72,8 +72,15 @@ TEST_F(PlanPageTest, a_click_in_a_slice_is_the_target_and_undo_takes_it_back) {
 
 TEST_F(PlanPageTest, a_click_on_the_skin_is_the_entry_and_it_can_be_dragged_in_a_slice) {
   ASSERT_TRUE(wait([&] { return page_->view3d().is_ready(); }, 120));
-  QTest::qWait(300);  // the first picture
-  const QPoint at = on_skin(first_.entry + Vec3(12.0, 0.0, 0.0));
+  const Vec3 beside = first_.entry + Vec3(12.0, 0.0, 0.0);
+  ASSERT_TRUE(wait(
+      [&] {
+        const auto place = page_->view3d().scene()->projection().place(beside);
+        return place && page_->view3d().scene()->skin_at(place->x, place->y).has_value();
+      },
+      60))
+      << "the first picture";
+  const QPoint at = on_skin(beside);
   QTest::mouseClick(&page_->view3d(), Qt::LeftButton, Qt::NoModifier, at);
   const Vec3 entry = page_->model()->path()->entry;
   EXPECT_NEAR((entry - first_.entry).norm(), 12.0, 5.0);

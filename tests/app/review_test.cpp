@@ -85,13 +85,13 @@ class Review : public testing::Test {
     ASSERT_NE(page_, nullptr);
   }
   bool wait_until_read() {
-    return QTest::qWaitFor([&] { return !page_->is_busy(); }, 20000);
+    return QTest::qWaitFor([&] { return !page_->is_busy(); }, 60000);
   }
   // Until the moment that was asked for is shown.
   void settle() {
     QTest::qWait(40);
     if (page_->recording() == nullptr) return;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(page_->frame().time - page_->time()) < 0.0011; }, 10000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(page_->frame().time - page_->time()) < 0.0011; }, 60000));
   }
   void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QWidget* const focus = window_->focusWidget();
@@ -221,7 +221,7 @@ TEST_F(Review, plays_at_the_speed_that_was_chosen_and_stops_at_the_end) {
   page_->set_speed(4.0);
   key(Qt::Key_Space);
   EXPECT_TRUE(page_->is_playing());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !page_->is_playing(); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page_->is_playing(); }, 60000));
   EXPECT_NEAR(page_->time(), 2.999, 1e-9);
 }
 

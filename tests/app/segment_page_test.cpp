@@ -242,5 +242,32 @@ TEST_F(SegmentWindow, paint_erase_fill_and_smooth_do_what_they_say) {
   EXPECT_EQ(page().slice(0).picture().pixelColor(inside).saturation(), 0);
 }
 
+TEST_F(SegmentWindow, what_was_not_saved_is_there_again_and_one_step_takes_it_back) {
+  make("marker", "");
+  page().set_crosshair(Vec3(-20.0, 0.0, 1.0));
+  key(Qt::Key_P);
+  drag(Vec3(-30.0, 0.0, 1.0), Vec3(-10.0, 0.0, 1.0));
+  const std::size_t painted = count();
+  ASSERT_GT(painted, 0U);
+  // As when the program ends: another window opens the patient.
+  window_.show_page(PageId::start);
+  ASSERT_TRUE(wait([&] { return window_.practice().state() == State::no_case; }));
+  MainWindow next(data_folder());
+  next.resize(1280, 720);
+  next.show();
+  next.open(folder_);
+  ASSERT_TRUE(wait([&] { return next.practice().state() == State::ready; })) << next.practice().failure();
+  next.show_page(PageId::segment);
+  auto& again = *next.findChild<SegmentPage*>(QStringLiteral("segment"));
+  ASSERT_TRUE(wait([&] { return again.model() != nullptr; }));
+  EXPECT_EQ(again.model()->editor().count(again.model()->active_label()), painted);
+  ASSERT_EQ(again.model()->table().size(), 1U);
+  EXPECT_EQ(again.model()->table()[0].name, "marker");
+  EXPECT_TRUE(next.findChild<QLabel*>(QStringLiteral("segment.said"))->text().contains("not saved the last time"));
+  EXPECT_TRUE(io::check_case(folder_).empty()) << "the case itself is as it was";
+  EXPECT_TRUE(again.press(QKeySequence(QStringLiteral("Ctrl+Z"))));
+  EXPECT_EQ(again.model()->editor().count(again.model()->active_label()), 0U);
+}
+
 }  // namespace
 }  // namespace bodkin::app

@@ -70,21 +70,21 @@ TEST_F(TourWindow, is_walked_through_by_doing_what_it_says) {
   QTest::mouseClick(find("start.tour"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_.practice().state() == State::ready; }, 120000));
   auto& tour = *find<Tour>("tour");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return tour.isVisible(); }, 2000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tour.isVisible(); }, 60000));
   EXPECT_EQ(tour.steps().step(), Step::look);
   QTest::keyClick(find("practise.view3d"), Qt::Key_Left);
   EXPECT_EQ(tour.steps().step(), Step::aim);
   // The balloon that speaks of the ring does not lie over it.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("tour.title")->text() == "Aim"; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("tour.title")->text() == "Aim"; }, 60000));
   ASSERT_TRUE(QTest::qWaitFor([&] { return tour.ring(window_.practice().frame()).has_value(); }, 60000));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         const std::optional<QPoint> ring = tour.ring(window_.practice().frame());
         return ring && !tour.geometry().contains(*ring);
       },
-      20000));
+      60000));
   window_.practice().push(1.0, false);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return tour.steps().step() == Step::push; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tour.steps().step() == Step::push; }, 60000));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         if (tour.steps().step() != Step::done) window_.practice().push(1.0, false);

@@ -176,7 +176,7 @@ class TrainingWindow : public WindowFixture {
     auto* const page = find<TrainingPage>("training");
     find<QLineEdit>("training.trainee")->setText(QStringLiteral("trainee-07"));
     page->choose(plan_file());
-    ASSERT_TRUE(wait([&] { return page->is_ready(); }, 20));
+    ASSERT_TRUE(wait([&] { return page->is_ready(); }, 60));
     EXPECT_EQ(text("training.title"), QStringLiteral("Two stages"));
     click("training.follow");
     ASSERT_TRUE(wait(State::ready, 180)) << practice().failure();
@@ -197,7 +197,7 @@ class TrainingWindow : public WindowFixture {
 TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_after_the_window_was_closed) {
   begin_plan();
   auto* const page = find<PractisePage>("practise");
-  EXPECT_TRUE(wait([&] { return text("practise.plan").startsWith(QStringLiteral("Stage 1 of 2: Everything")); }, 10));
+  EXPECT_TRUE(wait([&] { return text("practise.plan").startsWith(QStringLiteral("Stage 1 of 2: Everything")); }, 60));
   EXPECT_TRUE(text("practise.step").startsWith(QStringLiteral("Find the interspace")));
   EXPECT_TRUE(find("practise.slice.sagittal")->isVisible());
   window_->show_page(PageId::plan);
@@ -209,7 +209,7 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   ASSERT_TRUE(wait(State::ready, 60)) << practice().failure();
   ASSERT_TRUE(push_to(4.0));
   ASSERT_TRUE(end_attempt());
-  EXPECT_TRUE(wait([&] { return text("results.plan").startsWith(QStringLiteral("Stage 2 of 2: By feel")); }, 20));
+  EXPECT_TRUE(wait([&] { return text("results.plan").startsWith(QStringLiteral("Stage 2 of 2: By feel")); }, 60));
   click("results.again");  // "Next stage"
   ASSERT_TRUE(wait(State::ready, 60)) << practice().failure();
 
@@ -243,10 +243,10 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   aim_at_plan();
   ASSERT_TRUE(push_to(4.0));
   ASSERT_TRUE(end_attempt());
-  EXPECT_TRUE(wait([&] { return text("results.plan") == QStringLiteral("The plan is finished"); }, 20));
+  EXPECT_TRUE(wait([&] { return text("results.plan") == QStringLiteral("The plan is finished"); }, 60));
   click("results.again");
   auto* const training = find<TrainingPage>("training");
-  ASSERT_TRUE(wait([&] { return training->isVisible() && training->is_ready(); }, 20));
+  ASSERT_TRUE(wait([&] { return training->isVisible() && training->is_ready(); }, 60));
   EXPECT_EQ(find<LearningCurve>("training.curve") == nullptr, false);
   EXPECT_EQ(static_cast<LearningCurve*>(find("training.curve"))->attempts(), 2U);
   training::ResultStore store(training::store_place());
@@ -292,7 +292,7 @@ TEST_F(TrainingWindow, says_in_one_sentence_why_a_plan_cannot_be_followed) {
   auto* const page = find<TrainingPage>("training");
   find<QLineEdit>("training.trainee")->setText(QStringLiteral("trainee-07"));
   page->choose(QStringLiteral("/no/such/plan.xml"));
-  ASSERT_TRUE(wait([&] { return page->is_ready(); }, 20));
+  ASSERT_TRUE(wait([&] { return page->is_ready(); }, 60));
   EXPECT_TRUE(text("training.line").contains(QStringLiteral("/no/such/plan.xml")));
   EXPECT_FALSE(find("training.follow")->isEnabled());
 }

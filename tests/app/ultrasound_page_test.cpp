@@ -72,7 +72,7 @@ TEST_F(ScanWindow, every_key_of_the_machine_does_its_work) {
   ASSERT_TRUE(scan.needle().has_value());
   const double depth = scan.needle_depth();
   QTest::keyPress(window_.focusWidget(), Qt::Key_PageDown);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return scan.needle_depth() > depth + 1.0; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return scan.needle_depth() > depth + 1.0; }, 60000));
   QTest::keyRelease(window_.focusWidget(), Qt::Key_PageDown);
   key(Qt::Key_H);
   EXPECT_TRUE(scan.help());
@@ -92,12 +92,12 @@ TEST_F(ScanWindow, the_picture_follows_the_probe_and_the_needle) {
     return scan.screen().moment().pose.matrix() == scan.pose().matrix() &&
            scan.screen().moment().needle == scan.needle_words();
   };
-  ASSERT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 10000));
+  ASSERT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 60000));
   const Pose before = scan.pose();
   QTest::keyPress(window_.focusWidget(), Qt::Key_Up);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !scan.pose().isApprox(before, 1e-6); }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !scan.pose().isApprox(before, 1e-6); }, 60000));
   QTest::keyRelease(window_.focusWidget(), Qt::Key_Up);
-  EXPECT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 10000));
+  EXPECT_TRUE(QTest::qWaitFor(shows_where_the_probe_is, 60000));
 }
 
 TEST_F(ScanWindow, s_saves_the_picture_under_the_next_free_name) {
@@ -105,7 +105,7 @@ TEST_F(ScanWindow, s_saves_the_picture_under_the_next_free_name) {
   ASSERT_NO_FATAL_FAILURE(open({}));
   std::ofstream(data_folder() / "snap-1.png") << "taken";
   key(Qt::Key_S);
-  EXPECT_TRUE(QTest::qWaitFor([] { return std::filesystem::exists(data_folder() / "snap-2.png"); }, 10000));
+  EXPECT_TRUE(QTest::qWaitFor([] { return std::filesystem::exists(data_folder() / "snap-2.png"); }, 60000));
   EXPECT_NE(view().scan()->message().find("snap-2.png"), std::string::npos) << view().scan()->message();
 }
 

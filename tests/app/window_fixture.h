@@ -2,8 +2,11 @@
 
 #include <QTest>
 #include <QWidget>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
+#include <system_error>
 
 #include "app/main_window.h"
 #include "app/models/data_folder.h"
@@ -36,6 +39,30 @@ class WindowFixture : public testing::Test {
     return wait([&] { return window_->practice().state() == state; }, seconds);
   }
   const Frame& frame() { return window_->practice().frame(); }
+  // Until the hand rests.
+  bool settle() {
+    Vec3 last = Vec3::Constant(1e9);
+    int frames = 0;
+    std::uint64_t seen = 0;
+    return wait(
+        [&] {
+          if (frame().number == seen) return false;
+          seen = frame().number;
+          const Vec3 hand = frame().hand.translation();
+          frames = (hand - last).norm() < 0.01 ? frames + 1 : 0;
+          last = hand;
+          return frames >= 10;
+        },
+        60);
+  }
+  // The sessions that are kept, without the log of one that runs.
+  static std::set<std::filesystem::path> sessions() {
+    std::set<std::filesystem::path> files;
+    std::error_code none_yet;
+    for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "sessions", none_yet))
+      if (entry.path().extension() == ".bodkin") files.insert(entry.path());
+    return files;
+  }
   // An attempt on the patient that comes with Bodkin.
   bool start() {
     click("start.begin");

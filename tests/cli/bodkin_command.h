@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -136,12 +137,17 @@ class LittleLockedMemory {
   LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
 };
 
-// A small synthetic patient, made once for all the tests of this process: under a sanitizer that takes seconds.
+// A synthetic patient, "patient" in a folder of its own, made once for all the tests of this process: that takes
+// seconds.
 struct SyntheticPatient {
-  SyntheticPatient() {
+  SyntheticPatient(const std::string& name, std::initializer_list<const char*> commands)
+      : folder(std::filesystem::temp_directory_path() / ("bodkin_" + name + "_" + std::to_string(getpid()))) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    made = run_bodkin(folder, "--quiet case synthesize lumbar patient --spacing 1.5");
+    for (const char* command : commands) {
+      made = run_bodkin(folder, command);
+      if (made.exit_code != 0) break;
+    }
   }
   ~SyntheticPatient() {
     std::error_code ignored;  // what cannot be removed is in the folder of temporary files
@@ -150,20 +156,22 @@ struct SyntheticPatient {
   SyntheticPatient(const SyntheticPatient&) = delete;
   SyntheticPatient& operator=(const SyntheticPatient&) = delete;
 
-  std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("bodkin_patient_" + std::to_string(getpid()));
+  void copy_to(const std::filesystem::path& other) const {
+    std::filesystem::copy(folder / "patient", other / "patient", std::filesystem::copy_options::recursive);
+  }
+
+  std::filesystem::path folder;
   Outcome made;
 };
 
-// The same as BodkinCommand with a copy of that patient in its folder, "patient".
+// The same as BodkinCommand with a copy of a small synthetic patient in its folder, "patient".
 class PatientCommand : public BodkinCommand {
  protected:
   static void SetUpTestSuite() {
     BodkinCommand::SetUpTestSuite();
-    static const SyntheticPatient original;
+    static const SyntheticPatient original("patient", {"--quiet case synthesize lumbar patient --spacing 1.5"});
     made_ = original.made;
-    if (made_.exit_code != 0) return;
-    std::filesystem::copy(original.folder / "patient", folder_ / "patient", std::filesystem::copy_options::recursive);
+    if (made_.exit_code == 0) original.copy_to(folder_);
   }
   void SetUp() override { ASSERT_EQ(made_.exit_code, 0) << made_.errors; }
 

@@ -17,7 +17,8 @@ TEST_F(CaseShow, prints_what_is_in_a_case_and_writes_its_picture) {
   const Outcome said = bodkin("-q case show " + patient() + " -o " + file.string());
   ASSERT_EQ(said.exit_code, 0) << said.errors;
   for (const char* text : {"axes LPS", "HU", "ligamentum flavum", "mL", "vertebrae_L3", "L3_L4", "needle",
-                           "lumbar_puncture", "layered, line_spring", "path", "show.png"}) {
+                           "lumbar_puncture", "layered, line_spring", "path", "show.png", "kidney_left (critical)",
+                           "liver (critical)", "aorta (critical)"}) {
     EXPECT_THAT(said.output, HasSubstr(text));
   }
   const ::bodkin::imaging::ImageRgb picture = ::bodkin::imaging::decode_png(content_of(file), "show.png");

@@ -36,6 +36,7 @@ TEST_F(CaseSynthesizeShoulder, seed_varies_everything_that_is_not_given) {
   ASSERT_EQ(bodkin("-q case synthesize shoulder drawn --vary --seed 5 --side left --spacing 2").exit_code, 0);
   const std::string drawn = text_of("drawn/case.xml");
   EXPECT_THAT(drawn, HasSubstr("Synthetic left shoulder"));
+  EXPECT_THAT(drawn, testing::Not(HasSubstr("mechanics=\"physical\""))) << "no needle was named";
   EXPECT_THAT(drawn, testing::Not(HasSubstr("55 years, 1.72 m, 76 kg")));
 }
 
@@ -43,10 +44,19 @@ TEST_F(CaseSynthesizeShoulder, a_nerve_block_is_planned_beside_the_nerve_and_jud
   const Outcome made = bodkin("-q case synthesize shoulder block --target suprascapular_nerve --spacing 1.5");
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   EXPECT_THAT(text_of("block/case.xml"), HasSubstr("ultrasound_guided_nerve_block"));
-  ASSERT_EQ(bodkin("-q run block --operator expert_to_target --seed 3 --output expert.bodkin").exit_code, 0);
-  const Outcome score = bodkin("--json score expert.bodkin");
+  ASSERT_EQ(bodkin("-q run block --operator expert_to_target --seed 3 --output block.bodkin").exit_code, 0);
+  const Outcome score = bodkin("--json score block.bodkin");
   const nlohmann::json judged = nlohmann::json::parse(score.output);
   EXPECT_EQ(judged["verdict"], "borderline") << score.output;  // `run` holds no probe: nobody saw the tip
+}
+
+TEST_F(CaseSynthesizeShoulder, a_needle_that_is_named_is_felt_unless_the_tables_are_asked_for) {
+  const std::string command = "-q --json case synthesize shoulder felt --spacing 2 --needle 21,90,quincke";
+  EXPECT_EQ(nlohmann::json::parse(bodkin(command).output).at("mechanics"), "physical");
+  EXPECT_THAT(text_of("felt/case.xml"), HasSubstr("mechanics=\"physical\""));
+  const Outcome tables = bodkin(command + " --overwrite --mechanics tables");
+  EXPECT_EQ(nlohmann::json::parse(tables.output).at("mechanics"), "tables");
+  EXPECT_THAT(text_of("felt/case.xml"), testing::Not(HasSubstr("mechanics=\"physical\"")));
 }
 
 TEST_F(CaseSynthesizeShoulder, what_cannot_be_is_refused_and_leaves_nothing) {

@@ -91,6 +91,26 @@ TEST_F(CaseSynthesize, the_needle_is_the_procedure_s_unless_one_is_given) {
   EXPECT_THAT(needle("--procedure epidural --vary --seed 4"), testing::EndsWith(" 90 tuohy"));
 }
 
+TEST_F(CaseSynthesize, a_needle_that_is_named_is_felt_unless_the_tables_are_asked_for) {
+  const auto mechanics = [&](const std::string& options) {
+    const Outcome made = bodkin("-q --json case synthesize lumbar felt --overwrite --spacing 3 " + options);
+    EXPECT_EQ(made.exit_code, 0) << made.errors;
+    const std::string said = nlohmann::json::parse(made.output).at("mechanics");
+    const bool is_written = text_of("felt/case.xml").find("mechanics=\"physical\"") != std::string::npos;
+    EXPECT_EQ(is_written, said == "physical") << options;
+    return said;
+  };
+  EXPECT_EQ(mechanics(""), "tables");
+  EXPECT_EQ(mechanics("--procedure epidural"), "tables") << "the procedure's needle is nobody's choice";
+  EXPECT_EQ(mechanics("--vary --seed 3"), "tables");
+  EXPECT_EQ(mechanics("--needle 16,90,tuohy"), "physical");
+  EXPECT_EQ(mechanics("--needle-gauge 25"), "physical");
+  EXPECT_EQ(mechanics("--needle 16,90,tuohy --mechanics tables"), "tables");
+  EXPECT_EQ(mechanics("--mechanics physical"), "physical");
+  EXPECT_THAT(bodkin("-q case synthesize lumbar felt --overwrite --spacing 3 --needle 16,90,tuohy").output,
+              HasSubstr("forces    physical: the needle's"));
+}
+
 TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {
   for (const char* wrong : {"--age 12", "--age nan", "--weight 400", "--height 0", "--flexion -0.1", "--spacing 0.1",
                             "--scoliosis 60", "--calcification 2", "--seed -3", "--seed x"}) {

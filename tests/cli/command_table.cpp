@@ -187,6 +187,7 @@ const std::vector<CommandRow>& command_table() {
           {"--target", Kind::point},
           {"--models", Kind::texts},
           {"--needle", Kind::text},
+          {"--mechanics", Kind::text},
           {"--constraint", Kind::text},
           {"--part", Kind::texts},
           {"--speed", Kind::number, {"0", "0.4", "501", "-10"}},

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +28,7 @@ TEST_F(CompareCommand, runs_every_model_and_writes_table_and_plot) {
   }
   EXPECT_THAT(said.text(), HasSubstr("this machine"));
   EXPECT_THAT(content_of(base.string() + ".csv"),
-              HasSubstr("time_s,depth_mm,layered_N,layered_tip_N,layered_shaft_N,layered_sum_N"));
+              HasSubstr("time_s,depth_mm,layered_N,layered_tip_N,layered_shaft_N,layered_material_mm,layered_sum_N"));
   const std::string picture = content_of(base.string() + ".svg");
   EXPECT_THAT(picture, HasSubstr("interspinous ligament"));
   EXPECT_THAT(picture, HasSubstr("re-insertion"));
@@ -49,6 +54,50 @@ TEST_F(CompareCommand, takes_names_and_a_motion_and_tells_in_json) {
   const auto& phases = result.at("phases");
   EXPECT_NEAR(phases[1].at("to_s").get<double>() - phases[1].at("from_s").get<double>(), 0.5, 0.002);
   EXPECT_EQ(phases[3].at("from_s"), phases[3].at("to_s"));
+}
+
+// The patient was made without a needle's name, so that its own mechanics are the tables'.
+TEST_F(CompareCommand, is_of_one_description_of_each_tissue_unless_the_tables_are_asked_for) {
+  const std::string base = (folder_ / "mechanics").string();
+  const std::string command =
+      "compare " + patient() + " --models layered,tracking_wall --speed 20 --no-reinsert --pause 0.1 -o " + base;
+  const auto told = [&](const std::string& options) {
+    const auto result = nlohmann::json::parse(bodkin("-q --json " + command + options).output);
+    std::vector<std::vector<std::string>> all;
+    for (const auto& model : result.at("models")) {
+      all.emplace_back();
+      for (const auto& event : model.at("told")) {
+        const std::string text = event.at("text");
+        all.back().push_back(text.substr(0, std::min(text.find(" at "), text.find(','))));
+      }
+    }
+    return std::pair(result.at("mechanics").get<std::string>(), all);
+  };
+  const auto [mechanics, events] = told("");
+  EXPECT_EQ(mechanics, "physical");
+  EXPECT_EQ(events[0], events[1]) << "ligamentum flavum is the same for both";
+  EXPECT_GT(events[0].size(), 4U);
+  EXPECT_EQ(told(" --mechanics physical"), told(""));
+  EXPECT_EQ(told(" --mechanics tables").first, "tables");
+  EXPECT_THAT(bodkin("-q " + command).output,
+              HasSubstr("Mechanics: physical, one description of each tissue for all models, for the needle 22G "
+                        "quincke, 0.72 mm."));
+  EXPECT_THAT(bodkin("-q " + command + " --needle 16G,90,tuohy").output, HasSubstr("16G tuohy, 1.65 mm."));
+  EXPECT_THAT(bodkin("-q " + command + " --mechanics tables").output, HasSubstr("Mechanics: tables, each model"));
+  EXPECT_THAT(bodkin("-q " + command + " --mechanics wood").text(), HasSubstr("expected tables or physical"));
+}
+
+// Its layers have the forces that its caption states, and no description.
+TEST_F(CompareCommand, leaves_a_phantom_the_forces_of_its_experiment) {
+  const std::string phantom = (folder_ / "phantom").string();
+  ASSERT_EQ(bodkin("-q case synthesize phantom " + phantom + " --experiment alamilla_2018_fig_5").exit_code, 0);
+  const Outcome said = bodkin("--json compare " + phantom + " --models tracking_wall --speed 20 -o " +
+                              (folder_ / "of_phantom").string());
+  ASSERT_EQ(said.exit_code, 0) << said.text();
+  EXPECT_THAT(said.errors, HasSubstr("does not describe virtual shoulder: each model keeps its own numbers"));
+  const auto result = nlohmann::json::parse(said.output);
+  EXPECT_EQ(result.at("mechanics"), "physical");
+  EXPECT_NEAR(result["models"][0].at("peak").at("force_N").get<double>(), 1.0, 0.02) << "of the paper";
 }
 
 TEST_F(CompareCommand, plays_any_motion_to_every_model) {

@@ -107,7 +107,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   const Outcome compared = bodkin("--json compare patient --models layered,embedded_needle,closest_node -o compared");
   ASSERT_EQ(compared.exit_code, 0) << compared.errors;
   EXPECT_THAT(text_of("compared.csv"),
-              HasSubstr("layered_shaft_N,embedded_needle_N,embedded_needle_tip_N,embedded_"
+              HasSubstr("layered_shaft_N,layered_material_mm,embedded_needle_N,embedded_needle_tip_N,embedded_"
                         "needle_ahead_mm,embedded_needle_nodes,embedded_needle_material_mm,closest_node_N"));
 }
 
@@ -120,6 +120,22 @@ TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_re
   const Outcome anew = bodkin(command);
   EXPECT_EQ(anew.exit_code, 0);
   EXPECT_THAT(anew.errors, HasSubstr("the body is prepared anew"));
+
+  const std::string points = "--json profile patient --resistance embedded_needle -o points";
+  const Outcome first = bodkin(points);
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  const std::string curve = text_of("points.csv");
+  const fs::path factor = folder_ / "patient" / ::bodkin::patient::factor_file_name;
+  const auto made = fs::last_write_time(factor);
+  ASSERT_EQ(bodkin(points).exit_code, 0);
+  EXPECT_EQ(fs::last_write_time(factor), made) << "it is read";
+  EXPECT_EQ(text_of("points.csv"), curve);
+  fs::resize_file(factor, 1000);
+  const Outcome again = bodkin(points);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.errors, HasSubstr("the body is prepared anew"));
+  EXPECT_EQ(text_of("points.csv"), curve);
+  EXPECT_GT(fs::file_size(factor), 1000U);
   fs::resize_file(folder_ / "patient/mesh.vtu", 1000);
   const Outcome refused = bodkin("-q " + command);
   EXPECT_EQ(refused.exit_code, 2);

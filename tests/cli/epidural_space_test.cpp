@@ -1,13 +1,13 @@
 // Whether the epidural space can be found by feeling in the deformable body of the default patient.
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "patient/prepared_body.h"
 #include "session/operator_file.h"
-#include "tests/cli/bodkin_command.h"
-#include "tests/cli/mesher_rig.h"
+#include "tests/cli/meshed_patient.h"
 #include <nlohmann/json.hpp>
 
 #include "core/thread_pool.h"
@@ -20,26 +20,13 @@ namespace {
 using namespace ::bodkin;
 using nlohmann::json;
 
-constexpr int seeds = 100;
+constexpr int seeds = 40, nearly_all = 38;
 constexpr double at_rest = 0.4;          // mm, within which the tip stays
 constexpr double long_enough = 0.7;      // s
 constexpr double longest_search = 60.0;  // s
 
-// The default patient with a mesh, as `bodkin case synthesize lumbar` and `bodkin case mesh` make them.
-class EpiduralSpace : public BodkinCommand {
+class EpiduralSpace : public MeshedPatient {
  protected:
-  static void SetUpTestSuite() {
-    BodkinCommand::SetUpTestSuite();
-    if (!mesher_built) return;
-    setenv("BODKIN_MESHER_WORKER", BODKIN_BUILD "/bin/bodkin-mesher", 1);
-    made_ =
-        bodkin("-q case synthesize lumbar patient").exit_code == 0 && bodkin("-q case mesh patient").exit_code == 0;
-  }
-  void SetUp() override {
-    BODKIN_NEEDS_MESHER();
-    ASSERT_TRUE(made_);
-  }
-
   // Along the planned path, without feeling, past the dura.
   static json profile(const std::string& mechanics) {
     const Outcome found = bodkin(
@@ -49,8 +36,6 @@ class EpiduralSpace : public BodkinCommand {
     EXPECT_EQ(found.exit_code, 0) << found.errors;
     return json::parse(found.output);
   }
-
-  static inline bool made_ = false;
 };
 
 // mm, depth of the hand's tip at the first event whose text begins so; negative: there is none.
@@ -68,17 +53,32 @@ double force_of(const json& profile, const std::string& text) {
 
 constexpr double least_space = 2.5;  // mm of the hand between the loss of resistance and the dura
 
-// Whether the operator rests in the epidural space: after the loss of resistance and before the dura has given way.
-bool finds_the_space(const anatomy::Case& patient, const simulation::OperatorScript& script, std::uint64_t seed) {
-  simulation::ClosedLoop loop(patient, script, *patient.description.procedure.path, seed);
+using Whole = std::shared_ptr<const fem::ContactBody>;
+
+struct Attempt {
+  bool found = false;      // it rests in the epidural space: after the loss of resistance, the dura whole
+  bool left_line = false;  // it was past the points of its line
+};
+
+// The needle goes where the hand leads it, as in `bodkin run`.
+Attempt attempt_of(const anatomy::Case& patient, Whole whole, const simulation::OperatorScript& script,
+                   std::uint64_t seed) {
+  const anatomy::NeedlePath& planned = *patient.description.procedure.path;
+  simulation::ClosedLoop loop(patient, script, planned, seed);
+  std::shared_ptr<fem::ContactLine> line = loop.body()->stream_points(simulation::BodyPort::PointTiming::in_time);
+  const auto stream = patient::contact_stream(
+      whole->description(), std::shared_ptr<const anatomy::Case>(std::shared_ptr<const anatomy::Case>(), &patient),
+      planned.length(), whole, std::move(line));
   simulation::TickRecord record;
+  Attempt attempt;
   bool lost = false;
   double rest = 0.0, least = 0.0, most = 0.0;  // s; mm
   for (double time = 0.0; time < longest_search && !loop.finished(); time += loop.dt()) {
     loop.step(record);
     for (const forces::Event& event : record.output.events) {
+      if (event.kind == forces::EventKind::corridor_left) attempt.left_line = true;
       if (event.kind == forces::EventKind::loss_of_resistance) lost = true;
-      if (event.kind == forces::EventKind::puncture && event.tissue == anatomy::tissue::dura) return false;
+      if (event.kind == forces::EventKind::puncture && event.tissue == anatomy::tissue::dura) return attempt;
     }
     const double depth = record.output.depth;
     least = std::min(least, depth);
@@ -88,17 +88,21 @@ bool finds_the_space(const anatomy::Case& patient, const simulation::OperatorScr
       least = most = depth;
       rest = 0.0;
     }
-    if (rest >= long_enough) return true;
+    attempt.found = rest >= long_enough;
+    if (attempt.found) return attempt;
   }
-  return false;
+  return attempt;
 }
 
-int found_by(const anatomy::Case& patient, const std::string& name) {
+// Beside bone a needle may pass the last point of its line for a moment; a needle that was led aside does not.
+constexpr int most_past_line = 2;
+
+int found_by(const anatomy::Case& patient, const Whole& whole, const std::string& name) {
   const simulation::OperatorScript script = session::load_operator(name);
-  std::vector<char> found(seeds, 0);
-  ThreadPool(2).run(seeds,
-                    [&](std::size_t seed) { found[seed] = finds_the_space(patient, script, seed + 1) ? 1 : 0; });
-  return static_cast<int>(std::count(found.begin(), found.end(), 1));
+  std::vector<Attempt> attempts(seeds);
+  ThreadPool(2).run(seeds, [&](std::size_t seed) { attempts[seed] = attempt_of(patient, whole, script, seed + 1); });
+  EXPECT_LE(std::ranges::count_if(attempts, &Attempt::left_line), most_past_line) << name;
+  return static_cast<int>(std::ranges::count_if(attempts, &Attempt::found));
 }
 
 TEST_F(EpiduralSpace, each_layer_gives_way_by_itself_at_its_force) {
@@ -130,10 +134,11 @@ TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_and_novices_mostly_
   anatomy::Case patient = io::load_case(folder_ / "patient");
   patient.description.haptics.resistance =
       anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
-  patient::prepare_body(patient, folder_ / "patient", {}, {}, {});
-  EXPECT_GE(found_by(patient, "expert"), 95);
-  EXPECT_GE(found_by(patient, "expert_epidural"), 95);
-  EXPECT_LT(found_by(patient, "novice"), 50);
+  Whole whole;
+  patient::prepare_body(patient, folder_ / "patient", {}, {}, {}, &whole);
+  EXPECT_GE(found_by(patient, whole, "expert"), nearly_all);
+  EXPECT_GE(found_by(patient, whole, "expert_epidural"), nearly_all);
+  EXPECT_LT(found_by(patient, whole, "novice"), seeds / 2);
 }
 
 }  // namespace

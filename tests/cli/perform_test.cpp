@@ -42,6 +42,28 @@ TEST_F(PerformCommand, a_biopsy_ends_when_the_tip_touches_the_lesion) {
   EXPECT_LT(deepest, path + 10.0) << "and not 30 mm behind it, where the hand was going";
 }
 
+// A simulated hand that goes on drawing the needle away for 5.5 s after it has left the body.
+TEST_F(PerformCommand, a_needle_that_is_taken_out_ends_an_acupuncture_and_no_puncture_that_has_missed) {
+  ASSERT_EQ(bodkin("-q case synthesize lumbar needled --spacing 2 --procedure acupuncture").exit_code, 0);
+  const std::string hand =
+      " simulated --settings 'speed_mm_s=30 start_mm=165 depth_mm=15 wait_s=0 tremor_mm=0' --allow-late -o ";
+  const Outcome needled = bodkin("perform needled" + hand + "needled.bodkin");
+  ASSERT_EQ(needled.exit_code, 0) << needled.text();
+  EXPECT_THAT(needled.text(), HasSubstr("the needle was taken out: the attempt is complete"));
+  const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "needled.bodkin");
+  EXPECT_TRUE(session.finished);
+  const auto left = std::find_if(session.ticks.rbegin(), session.ticks.rend(),
+                                 [](const auto& tick) { return tick.output.in_contact; });
+  const double outside = static_cast<double>(left - session.ticks.rbegin()) * session.header.dt;
+  EXPECT_NEAR(outside, 5.0, 0.4) << "s";
+
+  const Outcome missed = bodkin("perform patient" + hand + "missed.bodkin");
+  ASSERT_EQ(missed.exit_code, 0) << missed.text();
+  EXPECT_THAT(missed.text(), Not(HasSubstr("was taken out")));
+  const ::bodkin::session::Session whole = ::bodkin::session::read_session(folder_ / "missed.bodkin");
+  EXPECT_GT(whole.ticks.size(), session.ticks.size() + 500) << "to the end of what the hand does";
+}
+
 TEST_F(PerformCommand, records_a_hand_on_a_device_and_the_recording_replays_to_the_bit) {
   const Outcome outcome = bodkin("--json -q perform patient " + device + "--max-time 2 -o hand.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();

@@ -79,6 +79,19 @@ class PerformTracked : public PatientCommand {
     const double share = (time - truth.time[i - 1]) / (truth.time[i] - truth.time[i - 1]);
     return truth.tip[i - 1] + share * (truth.tip[i] - truth.tip[i - 1]);
   }
+  // mm from the truth to where a tick had the tip. Ticks and footage each keep a time of their own, and a busy
+  // machine holds up either: `time` goes on to the place within the next half second that is nearest.
+  static double off(const Truth& truth, const Vec3& tip, double& time) {
+    double nearest = (tip - at(truth, time)).norm();
+    const double from = time;
+    for (int step = 1; step <= 50; ++step) {
+      const double later = from + 0.01 * step, distance = (tip - at(truth, later)).norm();
+      if (distance > nearest + 1e-3) continue;  // while the needle rests, the places differ by rounding alone
+      nearest = std::min(nearest, distance);
+      time = later;
+    }
+    return nearest;
+  }
 };
 
 TEST_F(PerformTracked, is_recorded_where_it_really_was_and_judged_by_the_procedure) {
@@ -89,16 +102,15 @@ TEST_F(PerformTracked, is_recorded_where_it_really_was_and_judged_by_the_procedu
   EXPECT_TRUE(session.finished);
   EXPECT_EQ(json::parse(session.header.operator_settings).at("driver"), "tracked");
   const Truth truth = truth_of("along", session.header.path);
-  // By the ticks' own time, which is the footage's but for a late tick here and there.
-  double sum = 0.0, most = 0.0;
+  double sum = 0.0, most = 0.0, time = 0.0;
   for (const auto& tick : session.ticks) {
-    const double off =
-        (tick.input.needle.translation() - at(truth, static_cast<double>(tick.tick) * session.header.dt)).norm();
-    sum += off * off;
-    most = std::max(most, off);
+    const double distance = off(truth, tick.input.needle.translation(), time);
+    sum += distance * distance;
+    most = std::max(most, distance);
   }
   const double rms = std::sqrt(sum / static_cast<double>(session.ticks.size()));
-  EXPECT_LT(rms, 0.8) << "mm, at most " << most;
+  EXPECT_LT(rms, 0.5) << "mm, at most " << most;
+  EXPECT_GT(time, truth.time.back() - 1.0) << "all of the way";
   // Nothing holds a real needle on a line but the real mannequin: it is not moved along an axis by the simulation.
   EXPECT_TRUE(std::none_of(session.events.begin(), session.events.end(),
                            [](const auto& one) { return one.event.kind == EventKind::hand_lost; }));
@@ -136,28 +148,37 @@ TEST_F(PerformTracked, a_needle_that_is_hidden_rests_and_the_session_says_for_ho
   const Session session = ::bodkin::session::read_session(folder_ / "hidden.bodkin");
   const Truth truth = truth_of("hidden", session.header.path);
   bool unseen = false;
-  double seconds = 0.0;
+  double seconds = 0.0, time = 0.0;
   auto event = session.events.begin();
   const Vec3 last_seen = truth.tip[39];
+  std::vector<double> from_last_seen;  // mm, in each tick in which it is not seen
   for (const auto& tick : session.ticks) {
     for (; event != session.events.end() && event->tick <= tick.tick; ++event) {
       if (event->event.kind == EventKind::hand_lost) unseen = true;
       if (event->event.kind == EventKind::hand_seen) {
         unseen = false;
         seconds = event->event.value;
+        for (int i = 0; i < 4; ++i) off(truth, tick.input.needle.translation(), time);  // past what was hidden
       }
     }
-    const double time = static_cast<double>(tick.tick) * session.header.dt;
     const Vec3 tip = tick.input.needle.translation();
-    if (time > 4.1 && time < 5.1) {
-      EXPECT_TRUE(unseen) << time;
-      EXPECT_LT((tip - last_seen).norm(), 1.0) << "it rests where it was seen last, at " << time;
-    }
-    if (!unseen) {
-      EXPECT_LT((tip - at(truth, time)).norm(), 2.5) << "never where it is not, at " << time;
+    if (unseen) {
+      from_last_seen.push_back((tip - last_seen).norm());
+    } else {
+      EXPECT_LT(off(truth, tip, time), 2.5) << "never where it is not, in tick " << tick.tick;
     }
   }
-  EXPECT_NEAR(seconds, 1.3 + 0.07, 0.1) << "from the last picture to the first, and the way there";
+  // It rests where it was seen last, and then goes quickly to where it is seen again.
+  constexpr std::size_t way_there = 150;  // ticks
+  ASSERT_GT(from_last_seen.size(), way_there);
+  EXPECT_LT(*std::max_element(from_last_seen.begin(), from_last_seen.end() - way_there), 1.0);
+  // From the last picture to the first, and the way there. A tick that began late counts no more than one in time.
+  double left_out = 0.0;  // s, at most
+  ASSERT_TRUE(session.timings.has_value());
+  for (const auto& bin : session.timings->lateness)
+    if (bin.up_to > session.header.dt) left_out += bin.up_to * static_cast<double>(bin.count);
+  EXPECT_LT(seconds, 1.3 + 0.07 + 0.1);
+  EXPECT_GT(seconds, 1.3 + 0.07 - 0.1 - left_out);
   const json score = json::parse(bodkin("--json score hidden.bodkin").output);
   EXPECT_EQ(metric(score, "times_unseen"), 1.0);
   EXPECT_NEAR(metric(score, "unseen_s"), seconds, 1e-9);

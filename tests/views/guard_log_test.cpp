@@ -49,6 +49,18 @@ TEST(GuardLog, keeps_the_newest) {
   EXPECT_EQ(log.lines().front().time, 199.0);
 }
 
+TEST(GuardLog, a_sentence_stands_at_its_own_time_where_it_has_one) {
+  GuardLog log;
+  log.note(2.0, "0.5 s: second hand: armed");
+  EXPECT_EQ(log.lines().front().time, 0.5);
+  EXPECT_EQ(log.lines().front().words, "second hand: armed");
+  for (const char* sentence : {"calibrated 2026-11-02", "3 supports are in a line", "12 s", "", "1.5 N: the bone"}) {
+    log.note(3.0, sentence);
+    EXPECT_EQ(log.lines().front().time, 3.0) << sentence;
+    EXPECT_EQ(log.lines().front().words, sentence);
+  }
+}
+
 TEST(HistogramColumns, every_value_is_in_one_column_of_the_logarithmic_axis) {
   haptics::LatencyHistogram histogram;
   for (int i = 0; i < 90; ++i) histogram.record(12e-6);

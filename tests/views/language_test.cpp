@@ -67,6 +67,23 @@ TEST(Language, german_has_every_text_of_the_window) {
   EXPECT_GT(texts, 700);
 }
 
+// What a bar of progress says of its stage.
+TEST(Language, german_has_every_stage_of_long_work) {
+  const Language language(QStringLiteral("de"), translations);
+  int texts = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(BODKIN_REPOSITORY) / "src")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ostringstream source;
+    source << std::ifstream(entry.path()).rdbuf();
+    for (const std::string& text : texts_after(source.str(), R"re(\b(?:progress|report)\(\s*)re")) {
+      ++texts;
+      EXPECT_FALSE(language.translate("Words", text.c_str(), nullptr, -1).isNull())
+          << entry.path().filename() << ": add \"" << text << "\" to share/bodkin/translations/words_de.ts";
+    }
+  }
+  EXPECT_GT(texts, 20);
+}
+
 TEST(Language, sentences_keep_their_numbers_and_translate_what_stands_between) {
   const Language language(QStringLiteral("de"), translations);
   EXPECT_EQ(german(language, "Words", "The tip entered a nerve root at 12.3 s, 48 mm deep: paralysis."),

@@ -57,6 +57,32 @@ TEST(DepthLadder, before_the_skin_it_shows_the_way_that_the_needle_would_take) {
   EXPECT_EQ(ladder.segments().size(), 5U) << "the plan's, without a needle";
 }
 
+TEST(DepthLadder, is_as_wide_as_the_longest_name_in_it) {
+  DepthLadder ladder;
+  show(ladder, 118, 370, frame_at(-10.0));
+  EXPECT_EQ(ladder.sizeHint().width(), 118) << "short names have room";
+  auto patient = std::make_shared<OpenCase>(*bodkin_test::layered_patient());
+  std::vector<anatomy::TissueProperties> tissues = patient->patient.library.tissues();
+  for (anatomy::TissueProperties& each : tissues)
+    if (each.id == anatomy::tissue::fat) each.title = "a tissue with a name of some length";
+  patient->patient.library = anatomy::TissueLibrary(tissues);
+  ladder.set_case(patient);
+  ladder.show_frame(frame_at(-10.0), Changes::all());
+  const int wide = ladder.sizeHint().width();
+  const int letters = QFontMetrics(font(label_size, true)).horizontalAdvance("a tissue with a name of some length");
+  EXPECT_GT(wide, letters + 30) << "the bar stands beside it";
+  // The last letter is drawn, and what is drawn changes no more with more room.
+  ladder.resize(wide, 370);
+  const QImage fits = ladder.grab().toImage();
+  ladder.resize(wide + 60, 370);
+  EXPECT_EQ(ladder.grab().toImage().copy(42, 40, letters, 300), fits.copy(42, 40, letters, 300));
+  ladder.resize(118, 370);
+  EXPECT_NE(ladder.grab().toImage().copy(42, 40, 70, 300), fits.copy(42, 40, 70, 300)) << "cut with less";
+  ladder.set_case(bodkin_test::layered_patient());
+  ladder.show_frame(frame_at(-10.0), Changes::all());
+  EXPECT_EQ(ladder.sizeHint().width(), 118);
+}
+
 TEST(DepthLadder, long_names_are_short_there) {
   EXPECT_EQ(short_title("ligamentum flavum"), "flavum");
   EXPECT_EQ(short_title("muscle"), "muscle");
@@ -173,6 +199,22 @@ TEST(TopBar, every_button_has_a_name_and_says_what_it_does) {
     EXPECT_FALSE(button->toolTip().isEmpty()) << qPrintable(button->objectName());
     EXPECT_FALSE(button->accessibleName().isEmpty()) << qPrintable(button->objectName());
   }
+}
+
+TEST(DiagnosticsDock, tells_what_the_device_can_do_and_what_the_station_says) {
+  DiagnosticsDock dock;
+  Frame frame = frame_at(20.0);
+  show(dock, 300, 640, frame);
+  const QImage before = dock.grab().toImage();
+  const std::vector<std::string> notes = {"the force stays below 1.5 N, because the system may hold up the servo"};
+  frame.notes = notes;
+  frame.device_limits.emplace();
+  frame.clock += 1.0;
+  dock.show_frame(frame, Changes::all());
+  const QImage after = dock.grab().toImage();
+  // At the foot alone.
+  EXPECT_NE(after.copy(0, 500, 300, 140), before.copy(0, 500, 300, 140));
+  EXPECT_EQ(after.copy(0, 0, 300, 300), before.copy(0, 0, 300, 300));
 }
 
 TEST(DiagnosticsDock, knows_how_far_the_wall_is_ahead) {

@@ -145,6 +145,56 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   }
 }
 
+// The target's mark is as large as the case lets the tip be off, wherever the slice is centred.
+TEST(SliceView, the_target_is_ringed_by_its_tolerance) {
+  const QColor teal = Theme::dark().plan;
+  for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
+    for (const double tolerance : {5.0, 9.0}) {
+      Frame frame = frame_at(0.0);
+      frame.has_needle = frame.follows_tip = false;
+      frame.target_tolerance = tolerance;
+      frame.plan->target += Vec3(6.0, -1.0, 4.0);
+      ShownSlice slice(kind, frame);
+      // The crosshair stands aside in the slice through the target.
+      const Vec3 aside(21.0, 13.0, 17.0), normal = slice.view.plane().normal();
+      frame.crosshair = frame.plan->target + aside - aside.dot(normal) * normal;
+      slice.view.show_frame(frame, Changes::all());
+      const imaging::SlicePlane plane = slice.view.plane();
+      const QImage picture = slice.picture();
+      const auto is_teal = [&](const Vec3& place) {
+        const QPointF at = slice.view.to_widget(place);
+        for (int y = -1; y <= 1; ++y) {
+          for (int x = -1; x <= 1; ++x) {
+            const QPoint pixel(static_cast<int>(at.x()) + x, static_cast<int>(at.y()) + y);
+            if (!picture.rect().contains(pixel)) continue;
+            const QColor ink = picture.pixelColor(pixel);
+            if (std::abs(ink.red() - teal.red()) < 60 && std::abs(ink.green() - teal.green()) < 60 &&
+                std::abs(ink.blue() - teal.blue()) < 60)
+              return true;
+          }
+        }
+        return false;
+      };
+      const Vec3 back = frame.plan->entry - frame.plan->target;  // along the drawn path, which ends at the ring
+      const Vec3 on_plane = (back - back.dot(normal) * normal).normalized();
+      int ringed = 0, inside = 0, outside = 0, directions = 0;
+      for (int degrees = 0; degrees < 360; degrees += 10) {
+        const double angle = degrees * degree;
+        const Vec3 way = std::cos(angle) * plane.right + std::sin(angle) * plane.down;
+        if (way.dot(on_plane) > 0.7) continue;
+        ++directions;
+        ringed += is_teal(frame.plan->target + tolerance * way) ? 1 : 0;
+        inside += is_teal(frame.plan->target + 0.6 * tolerance * way) ? 1 : 0;
+        outside += is_teal(frame.plan->target + 1.4 * tolerance * way) ? 1 : 0;
+      }
+      EXPECT_GT(directions, 20);
+      EXPECT_EQ(ringed, directions) << static_cast<int>(kind) << ", " << tolerance << " mm";
+      EXPECT_EQ(inside, 0) << static_cast<int>(kind) << ", " << tolerance << " mm";
+      EXPECT_EQ(outside, 0) << static_cast<int>(kind) << ", " << tolerance << " mm";
+    }
+  }
+}
+
 TEST(SliceView, an_attempt_whose_plan_is_hidden_does_not_begin_at_it) {
   OpenCase aside = *bodkin_test::layered_patient();
   const Vec3 off(25.0, 0.0, 0.0);  // from the middle of the image

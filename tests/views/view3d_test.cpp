@@ -48,15 +48,18 @@ class View3dTest : public testing::Test {
     view_.resize(400, 300);
     view_.show();
     view_.set_case(coarse_patient());
-    Frame frame;
-    for (int i = 0; i < 20000 && !view_.is_ready(); ++i) {
-      view_.show_frame(frame, {});
-      QTest::qWait(5);
-    }
-    EXPECT_TRUE(view_.is_ready());
+    EXPECT_TRUE(wait_until_ready());
     look(scene::StandardView::posterior);
   }
 
+  bool wait_until_ready() {
+    return QTest::qWaitFor(
+        [this] {
+          view_.show_frame({}, {});
+          return view_.is_ready();
+        },
+        120000);
+  }
   void show(const Frame& frame) {
     Frame now = frame;
     now.clock = clock_ += 1.0;
@@ -130,10 +133,7 @@ TEST_F(View3dTest, the_patient_moves_as_breath_is_drawn_in) {
   breathing.radius = 100.0;  // wide beside the triangles of a flat skin
   open->patient.description.breathing = breathing;
   view_.set_case(open);
-  for (int i = 0; i < 20000 && !view_.is_ready(); ++i) {
-    view_.show_frame({}, {});
-    QTest::qWait(5);
-  }
+  ASSERT_TRUE(wait_until_ready());
   look(scene::StandardView::posterior);
   const auto skin_along = [&](double x, double z) {
     const QPoint pixel = at(Vec3(x, 30.0, z));
@@ -219,6 +219,30 @@ TEST_F(View3dTest, the_hub_is_dragged_along_the_needle_millimetre_by_millimetre)
   EXPECT_GT(cranial, 0.0) << "the hub went to the head";
 }
 
+// Heng et al. 2004: the handle changes its colour when the needle meets the body.
+TEST_F(View3dTest, the_hub_has_another_colour_while_the_needle_touches_the_body) {
+  look(scene::StandardView::left);
+  scene::NeedleLook needle;
+  needle.pose = frame_at(5.0).needle;
+  needle.shape = layered_patient()->description().needle;
+  scene::Camera camera = view_.camera();
+  camera.focus = scene::hub_middle(needle);
+  camera.eye = camera.focus + Vec3(250.0, 0.0, 0.0);
+  view_.set_camera(camera);
+  const auto colour_of_hub = [&](double depth) {
+    Frame frame = frame_at(5.0);
+    frame.depth = depth;
+    show(frame);
+    const QPoint middle = at(scene::hub_middle(needle));
+    return view_.scene()->picture().row(middle.y())[middle.x()] & 0xFFFFFFU;
+  };
+  const std::uint32_t outside = colour_of_hub(-1.0), touching = colour_of_hub(0.5);
+  const QColor plain(outside), seen(touching);
+  EXPECT_GT(seen.blue() - plain.blue(), 40);
+  EXPECT_GT(seen.blue(), seen.red() + 40);
+  EXPECT_EQ(colour_of_hub(-1.0), outside);
+}
+
 TEST_F(View3dTest, drags_turn_keys_choose_views_and_the_cube_too) {
   const scene::Camera before = view_.camera();
   QTest::mousePress(&view_, Qt::LeftButton, {}, QPoint(200, 150));
@@ -265,6 +289,13 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
   show(frame);
   EXPECT_EQ(view_.deformable_points().size() * 3, displacements.size());
   EXPECT_LT((patch.mesh().points[patch.bottom()].cast<double>() - Vec3(4.0, 27.0, -3.0)).norm(), 1e-3);
+  int others = 0;
+  QObject::connect(&view_, &View3d::points_changed, &view_, [&] { ++others; });
+  frame.dimple.at = Vec3(17.0, 30.0, -3.0);  // so far away that other points are needed, once
+  show(frame);
+  show(frame);
+  EXPECT_EQ(others, 1);
+  EXPECT_LT((patch.entry() - frame.dimple.at).norm(), 1e-6);
   frame.displacements = {};
   frame.dimple.depth = 0.0;
   show(frame);

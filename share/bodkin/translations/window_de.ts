@@ -723,8 +723,16 @@
         <translation>%1 N mm</translation>
     </message>
     <message>
-        <source>What the guard did</source>
-        <translation>Was der Wächter tat</translation>
+        <source>the device renders no force</source>
+        <translation>das Gerät gibt keine Kraft</translation>
+    </message>
+    <message>
+        <source>the device: at most %1 N, %2 N for long, %3 N/mm</source>
+        <translation>das Gerät: höchstens %1 N, dauernd %2 N, %3 N/mm</translation>
+    </message>
+    <message>
+        <source>What guard and station say</source>
+        <translation>Was Wächter und Station sagen</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -1200,6 +1208,10 @@
 <context>
     <name>ModelsPage</name>
     <message>
+        <source>What was changed the last time is here again; Ctrl+Z takes it back.</source>
+        <translation>Was beim letzten Mal geändert wurde, ist wieder da; Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
         <source>Force against depth</source>
         <translation>Kraft über der Tiefe</translation>
     </message>
@@ -1370,6 +1382,10 @@
     <message>
         <source>first give %1 N, </source>
         <translation>gibt zuerst nach bei %1 N, </translation>
+    </message>
+    <message>
+        <source>Preparing the deformable body for the curve: %1 %</source>
+        <translation>Der verformbare Körper wird für die Kurve vorbereitet: %1 %</translation>
     </message>
     <message>
         <source>%1strongest %2 N   (was: %3strongest %4 N)</source>
@@ -1877,6 +1893,10 @@
         <source>%1 s so far</source>
         <translation>%1 s bisher</translation>
     </message>
+    <message>
+        <source>%1 s so far, about %2 s more for this step</source>
+        <translation>%1 s bisher, noch etwa %2 s für diesen Schritt</translation>
+    </message>
 </context>
 <context>
     <name>ProfileChart</name>
@@ -2345,6 +2365,10 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>nach seinen HU</translation>
     </message>
     <message>
+        <source>What was not saved the last time is here again; Ctrl+Z takes it back.</source>
+        <translation>Was beim letzten Mal nicht gesichert wurde, ist wieder da; Strg+Z nimmt es zurück.</translation>
+    </message>
+    <message>
         <source>Make a structure first: its name, then New.</source>
         <translation>Machen Sie zuerst eine Struktur: ihr Name, dann Neu.</translation>
     </message>
@@ -2731,6 +2755,14 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
     <message>
         <source>Show tissue colours</source>
         <translation>Gewebefarben zeigen</translation>
+    </message>
+    <message>
+        <source>Along the needle (N)</source>
+        <translation>Längs der Nadel (N)</translation>
+    </message>
+    <message>
+        <source>Not along the needle (N)</source>
+        <translation>Nicht längs der Nadel (N)</translation>
     </message>
     <message>
         <source>Next slab thickness (T)</source>

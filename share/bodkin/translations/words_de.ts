@@ -77,6 +77,14 @@
         <translation>noch einmal tun</translation>
     </message>
     <message>
+        <source>turn the needle about its axis, while held</source>
+        <translation>die Nadel um ihre Achse drehen, solange gehalten</translation>
+    </message>
+    <message>
+        <source>along the needle, or as it was</source>
+        <translation>längs der Nadel, oder wie zuvor</translation>
+    </message>
+    <message>
         <source>draw back slowly</source>
         <translation>langsam zurückziehen</translation>
     </message>
@@ -490,10 +498,6 @@
     <message>
         <source>%1 has no deformable body, expected embedded_needle or closest_node</source>
         <translation>%1 hat keinen verformbaren Körper, erwartet wird embedded_needle oder closest_node</translation>
-    </message>
-    <message>
-        <source>The curve of a deformable body is not computed here; push the needle to feel a number.</source>
-        <translation>Die Kurve eines verformbaren Körpers wird hier nicht berechnet; an der Nadel ist eine Zahl zu fühlen.</translation>
     </message>
     <message>
         <source>Shaft friction</source>
@@ -2096,8 +2100,8 @@
         <translation>Nerv</translation>
     </message>
     <message>
-        <source>Stop and draw back at once: the patient feels a shock down the leg.</source>
-        <translation>Halten Sie an und ziehen Sie sofort zurück: der Patient spürt einen Schlag das Bein hinab.</translation>
+        <source>Stop and draw back at once: the patient feels a shock along the nerve.</source>
+        <translation>Halten Sie an und ziehen Sie sofort zurück: der Patient spürt einen Schlag den Nerv entlang.</translation>
     </message>
     <message>
         <source>Vessel</source>
@@ -2258,6 +2262,18 @@
     <message>
         <source>Target reached at %1 mm. E ends.</source>
         <translation>Ziel erreicht bei %1 mm. E beendet.</translation>
+    </message>
+    <message>
+        <source>The needle is out.</source>
+        <translation>Die Nadel ist draußen.</translation>
+    </message>
+    <message>
+        <source>The attempt ends in #1 s, unless it goes in again.</source>
+        <translation>Der Versuch endet in #1 s, außer sie geht wieder hinein.</translation>
+    </message>
+    <message>
+        <source>The needle was taken out: the attempt is complete.</source>
+        <translation>Die Nadel wurde herausgezogen: der Versuch ist vollständig.</translation>
     </message>
     <message>
         <source>Held. Space takes the needle up again.</source>
@@ -2714,6 +2730,94 @@
     <message>
         <source>Axis: hold the tool so that it points straight down, and keep it still.</source>
         <translation>Achse: halten Sie das Werkzeug so, dass es gerade nach unten zeigt, und halten Sie es still.</translation>
+    </message>
+    <message>
+        <source>saving the attempt</source>
+        <translation>der Versuch wird gesichert</translation>
+    </message>
+    <message>
+        <source>keeping the prepared body</source>
+        <translation>der vorbereitete Körper wird aufgehoben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; is it a file, is it there, and may you read it?</source>
+        <translation>%1 lässt sich nicht öffnen; ist es eine Datei, ist sie da, und dürfen Sie sie lesen?</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mapped into memory; end other programs</source>
+        <translation>%1 passt nicht in den Speicher; beenden Sie andere Programme</translation>
+    </message>
+    <message>
+        <source>assembling the body</source>
+        <translation>der Körper wird zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>ordering the body</source>
+        <translation>der Körper wird geordnet</translation>
+    </message>
+    <message>
+        <source>factorising the body</source>
+        <translation>der Körper wird zerlegt</translation>
+    </message>
+    <message>
+        <source>preparing the picture of the body</source>
+        <translation>das Bild des Körpers wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>footage</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>filling with tetrahedra</source>
+        <translation>mit Tetraedern wird gefüllt</translation>
+    </message>
+    <message>
+        <source>moving nodes of flat tetrahedra</source>
+        <translation>Knoten flacher Tetraeder werden verschoben</translation>
+    </message>
+    <message>
+        <source>weighting nodes of flat tetrahedra</source>
+        <translation>Knoten flacher Tetraeder werden gewichtet</translation>
+    </message>
+    <message>
+        <source>%1, round %2</source>
+        <translation>%1, Durchgang %2</translation>
+    </message>
+    <message>
+        <source>Inserting the needle</source>
+        <translation>die Nadel wird eingestochen</translation>
+    </message>
+    <message>
+        <source>following the recorded needle</source>
+        <translation>der aufgezeichneten Nadel wird gefolgt</translation>
+    </message>
+    <message>
+        <source>scanning</source>
+        <translation>es wird geschallt</translation>
+    </message>
+    <message>
+        <source>database or disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>der Datenträger lässt sich nicht lesen oder schreiben</translation>
+    </message>
+    <message>
+        <source>The session was cut off; what was recorded until then is kept</source>
+        <translation>Die Sitzung wurde abgebrochen; was bis dahin aufgezeichnet wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>The needle is turned by #1° about its axis.</source>
+        <translation>Die Nadel ist um #1° um ihre Achse gedreht.</translation>
     </message>
     <message>
         <source>Reading the mesh</source>
@@ -4264,8 +4368,8 @@
         <translation>es gibt keine Sprache %1, erwartet: eine von %2</translation>
     </message>
     <message>
-        <source>The deformable body is not prepared here: draw the needle back to the skin.</source>
-        <translation>Der verformbare Körper ist hier nicht vorbereitet: ziehen Sie die Nadel bis zur Haut zurück.</translation>
+        <source>The needle is past the tissue that was computed ahead of it: draw it back a little.</source>
+        <translation>Die Nadel ist weiter als das Gewebe, das vor ihr berechnet ist: ziehen Sie sie ein wenig zurück.</translation>
     </message>
     <message>
         <source>Choose the target: click it in a slice.</source>
@@ -7332,8 +7436,8 @@
         <translation>der verformbare Körper desselben Falls hat eine andere Nachgiebigkeit als in der Sitzung (Prüfsumme %1, aufgezeichnet %2): er wurde von einer anderen Version von Bodkin oder METIS vorbereitet</translation>
     </message>
     <message>
-        <source>cannot write the session %1: %2</source>
-        <translation>die Sitzung %1 kann nicht geschrieben werden: %2</translation>
+        <source>cannot write the session %1: %2; what was recorded until then is safe, free space on its disk before you go on</source>
+        <translation>die Sitzung %1 kann nicht geschrieben werden: %2; was bis dahin aufgezeichnet wurde, ist sicher, schaffen Sie Platz auf ihrem Datenträger, bevor Sie weitermachen</translation>
     </message>
     <message>
         <source>the tick of a session is %1 s, expected more than 0</source>
@@ -7348,8 +7452,8 @@
         <translation>%1 ist keine Datei, die eine Sitzung ersetzen könnte</translation>
     </message>
     <message>
-        <source>cannot create the session file %1: %2</source>
-        <translation>die Sitzungsdatei %1 kann nicht angelegt werden: %2</translation>
+        <source>cannot create the session file %1: %2; free space on its disk, or write elsewhere</source>
+        <translation>die Sitzungsdatei %1 kann nicht angelegt werden: %2; schaffen Sie Platz auf ihrem Datenträger oder schreiben Sie anderswohin</translation>
     </message>
     <message>
         <source>cannot replace the session file %1: %2</source>
@@ -8724,6 +8828,14 @@
     <message>
         <source>The probe's pose is no rigid placement of finite numbers; check where it comes from.</source>
         <translation>Die Lage des Schallkopfs besteht nicht aus endlichen Zahlen einer starren Bewegung; prüfen Sie, woher sie kommt.</translation>
+    </message>
+    <message>
+        <source>operator '%1': phase '%2' waits for a share of the force at which '%3' gives way, but the patient's tissue library has no such tissue that gives way; expected the name of a tissue with a break_force_N</source>
+        <translation>Bediener „%1“: Phase „%2“ wartet auf einen Anteil der Kraft, bei der „%3“ nachgibt, aber die Gewebebibliothek des Patienten hat kein solches Gewebe, das nachgibt; erwartet wird der Name eines Gewebes mit break_force_N</translation>
+    </message>
+    <message>
+        <source>phase '%1' of operator '%2' waits for a share of a force, expected one in N for the patient</source>
+        <translation>Phase „%1“ von Bediener „%2“ wartet auf einen Anteil einer Kraft, erwartet wird eine in N für den Patienten</translation>
     </message>
 </context>
 </TS>

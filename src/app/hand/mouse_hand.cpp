@@ -32,16 +32,23 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
+Pose turned_needle(const Vec3& tip, const Vec3& axis, double turn) noexcept {
+  Pose pose = needle_pose(tip, axis);
+  pose.linear() = pose.linear() * Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+  return pose;
+}
+
 MouseHand::MouseHand(double dt) : dt_(dt), hand_(hand_parameters(), dt, 1) {}
 
 void MouseHand::start(const HandWish& wish) noexcept {
   at_ = wish.at;
   axis_ = wish.axis;
+  turn_ = wish.turn;
   place_ = -waiting;
   speed_ = 0.0;
   braced_ = false;
   hand_.set_grip(stiffness, usual_damping, at_ + place_ * axis_);
-  const Pose pose = needle_pose(at_ + place_ * axis_, axis_);
+  const Pose pose = turned_needle(at_ + place_ * axis_, axis_, turn_);
   hand_.start(pose);
   report_ = {pose, pose, place_, true};
 }
@@ -92,7 +99,8 @@ const Pose& MouseHand::step(const HandWish& wish, const Vec3& force) noexcept {
   const double wanted = std::clamp((goal - place_) / (2.0 * smoothing), -most, most);
   speed_ += (wanted - speed_) * std::min(1.0, 2.0 * dt_ / smoothing);
   place_ += speed_ * dt_;
-  const Pose meant = needle_pose(at_ + place_ * axis_, axis_);
+  turn_ += std::clamp(wish.turn - turn_, -twirling_speed * dt_, twirling_speed * dt_);
+  const Pose meant = turned_needle(at_ + place_ * axis_, axis_, turn_);
   const Vec3 along = axis_ * axis_.dot(force);
   report_.needle = hand_.step(meant, {along, Vec3::Zero()});
   report_.meant = meant;

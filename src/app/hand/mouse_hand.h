@@ -9,6 +9,7 @@ namespace bodkin::app {
 struct HandWish {
   Vec3 at = Vec3::Zero();     // on the skin
   Vec3 axis = Vec3::UnitY();  // unit, into the body
+  double turn = 0.0;          // rad about the axis, clockwise for who looks along it
   double depth = 0.0;         // mm; negative: above the skin
   double speed = 30.0;        // mm/s along the axis at most
   bool is_down = false;       // false: the hand waits above the skin
@@ -23,6 +24,9 @@ struct HandReport {
   double depth = 0.0;              // mm of the needle beyond HandWish::at
   bool is_on_line = false;         // it is on the line of the newest wish
 };
+
+// The pose of a needle that is turned about its axis.
+Pose turned_needle(const Vec3& tip, const Vec3& axis, double turn) noexcept;
 
 // A hand that puts a needle where a wish says: it waits above the skin, follows the pointer there, goes down its line
 // and then moves along that line only. What it means moves at a human pace; the needle hangs on it by a spring of
@@ -44,6 +48,7 @@ class MouseHand {
   static constexpr double air_speed = 250.0;     // mm/s along the axis above the skin
   static constexpr double aiming_speed = 500.0;  // mm/s across it
   static constexpr double turning_speed = 1.5;   // rad/s
+  static constexpr double twirling_speed = 6.0;  // rad/s about the axis
 
   explicit MouseHand(double dt);
 
@@ -63,6 +68,7 @@ class MouseHand {
   haptics::SimulatedHand hand_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::UnitY();
   double place_ = -waiting, speed_ = 0.0;  // mm beyond at_, mm/s
+  double turn_ = 0.0;                      // rad
   bool braced_ = false;
   HandReport report_;
 };

@@ -21,7 +21,7 @@ void NeedleControl::begin(const std::optional<anatomy::NeedlePath>& plan, const 
   wish_.axis = aimed_axis(entry, plan);
   hand_ = HandReport{};
   hand_.depth = -MouseHand::waiting;
-  key_ = 0;
+  key_ = turn_key_ = 0;
   fine_ = held_ = withdrawing_ = false;
 }
 
@@ -101,7 +101,7 @@ void NeedleControl::withdraw() {
 void NeedleControl::hold(bool on) {
   if (on == held_) return;
   held_ = on;
-  key_ = 0;
+  key_ = turn_key_ = 0;
   // The hand stays where it is, not where it was on its way to.
   if (on && wish_.is_down) wish_.depth = wish_.axis.dot(hand_.meant.translation() - wish_.at);
 }
@@ -110,6 +110,7 @@ void NeedleControl::update(double dt, const HandReport& hand) {
   hand_ = hand;
   if (key_ != 0) brace(fine_);
   if (key_ != 0 && !held_) move(key_ * dt * (fine_ ? fine_key_speed : key_speed));
+  if (!held_) wish_.turn += turn_key_ * dt * turn_speed;
   if (!wish_.is_down) return;
   // Drawn back out of the skin: the needle is free again.
   if (wish_.depth <= out_of_skin && hand.depth <= out_of_skin) {

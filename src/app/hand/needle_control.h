@@ -17,6 +17,7 @@ class NeedleControl {
   static constexpr double notch = 0.5, fine_notch = 0.1;          // mm of the wheel
   static constexpr double key_speed = 5.0, fine_key_speed = 1.0;  // mm/s
   static constexpr double withdrawing = 20.0;                     // mm/s
+  static constexpr double turn_speed = 180.0 * degree;            // rad/s
   static constexpr double lead = 8.0;  // mm that the hand may be ahead of a needle that does not follow
 
   // A new attempt with this plan, whose entry is where the needle goes down when nothing else was aimed at. `entry`:
@@ -34,6 +35,9 @@ class NeedleControl {
   void drag(double millimetres);
   // Keys that are held: -1 out, 0, +1 in.
   void hold_key(int direction, bool fine);
+  // Keys that are held: the needle is turned about its axis, +1 clockwise for who looks along it, 0 not, -1 back.
+  void hold_turn(int direction) { turn_key_ = direction; }
+  bool is_turning() const noexcept { return turn_key_ != 0; }
   // Turns the needle about the point where it goes in, rad. False, and nothing done, when it is too deep for that.
   bool tilt(double right, double cranial);
   // Out, to 5 mm above the skin; any push stops it.
@@ -48,7 +52,7 @@ class NeedleControl {
   bool is_down() const noexcept { return wish_.is_down; }
   bool is_held() const noexcept { return held_; }
   // Where the needle is drawn while it is not down: its tip on the skin.
-  Pose hovering() const { return needle_pose(wish_.at, wish_.axis); }
+  Pose hovering() const { return turned_needle(wish_.at, wish_.axis, wish_.turn); }
 
  private:
   void move(double millimetres);
@@ -57,7 +61,7 @@ class NeedleControl {
   std::optional<anatomy::NeedlePath> plan_;
   HandWish wish_;
   HandReport hand_;
-  int key_ = 0;
+  int key_ = 0, turn_key_ = 0;
   bool fine_ = false, held_ = false, withdrawing_ = false;
 };
 

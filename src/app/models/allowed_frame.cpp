@@ -22,6 +22,7 @@ Frame allowed_frame(const Frame& frame, const training::PlanAids& aids) {
     allowed.left_needles = {};
     allowed.dimple = {};
     allowed.displacements = {};
+    allowed.moved_tissue = nullptr;
   }
   return allowed;
 }

@@ -103,8 +103,13 @@ class CameraWatch::Show {
 };
 
 CameraWatch::CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking::FootageFiles& files,
-                         const std::filesystem::path& registration, const tracking::AugmentedLook& look)
-    : patient_(std::move(patient)), files_(files), registration_(registration), look_(look) {
+                         const std::filesystem::path& registration, const tracking::AugmentedLook& look,
+                         std::function<void()> on_picture)
+    : patient_(std::move(patient)),
+      files_(files),
+      registration_(registration),
+      on_picture_(std::move(on_picture)),
+      look_(look) {
   news_.stage = "opening the camera";
   thread_ = std::jthread([this](const std::stop_token& stop) {
     std::string error;
@@ -207,9 +212,12 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
     news.time = picture->time;
     news.rate = static_cast<double>(shown.size());
     news.picture = std::make_shared<const imaging::ImageRgb>(std::move(picture->colour));
-    const std::lock_guard guard(lock_);
-    news.number = news_.number + 1;
-    news_ = std::move(news);
+    {
+      const std::lock_guard guard(lock_);
+      news.number = news_.number + 1;
+      news_ = std::move(news);
+    }
+    if (on_picture_) on_picture_();
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -50,9 +51,11 @@ struct CameraNews {
 // with a passage through video or folder. All calls from one thread; none waits for a picture.
 class CameraWatch {
  public:
-  // `registration`: of patient and mannequin (bodkin register); empty: as in rendered footage.
+  // `registration`: of patient and mannequin (bodkin register); empty: as in rendered footage. `on_picture` is called
+  // on that thread whenever news() has another picture.
   CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking::FootageFiles& files,
-              const std::filesystem::path& registration, const tracking::AugmentedLook& look);
+              const std::filesystem::path& registration, const tracking::AugmentedLook& look,
+              std::function<void()> on_picture = {});
   ~CameraWatch();
   CameraWatch(const CameraWatch&) = delete;
   CameraWatch& operator=(const CameraWatch&) = delete;
@@ -76,6 +79,7 @@ class CameraWatch {
   std::shared_ptr<const OpenCase> patient_;
   tracking::FootageFiles files_;
   std::filesystem::path registration_;
+  std::function<void()> on_picture_;
   std::atomic<bool> paused_{false};
   mutable std::mutex lock_;  // guards the three below
   CameraNews news_;

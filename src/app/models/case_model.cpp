@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/models/opened_images.h"
 #include "app/models/procedure_title.h"
 #include <nlohmann/json.hpp>
 
@@ -24,6 +25,12 @@ namespace {
 struct Cancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
+
+// The name of a folder of one of practice_patients().
+bool is_for_practice(const std::string& folder) {
+  return std::any_of(practice_patients().begin(), practice_patients().end(),
+                     [&](const PracticePatient& patient) { return patient.folder == folder; });
+}
 
 }  // namespace
 
@@ -106,20 +113,20 @@ void CaseModel::open(const fs::path& path) {
     const fs::path whole = path.has_filename() ? path : path.parent_path();
     if (fs::exists(whole / "case.xml")) return job.load(whole);
     if (!fs::exists(whole)) throw InputError("there is no " + whole.string() + "; choose a folder or an image file");
-    std::string name = fs::is_directory(whole) ? whole.filename().string() : whole.stem().string();
-    if (name.ends_with(".nii")) name.resize(name.size() - 4);
-    const fs::path folder = data / "patients" / name;
+    const OpenedImages images(data / "patients", is_for_practice);
+    const fs::path folder = images.folder_of(whole);
     if (!fs::exists(folder / "case.xml")) {
       fs::create_directories(folder.parent_path());
       const nlohmann::json request = {{"folder", io::path_text(folder)},
                                       {"overwrite", false},
-                                      {"name", name},
+                                      {"name", folder.filename().string()},
                                       {"needle_gauge", 22},
                                       {"ct", io::path_text(whole)},
                                       {"resample_labels", false},
                                       {"fill_missing", false},
                                       {"assume_hu", false}};
       job.make("case-new", request, whole.string());
+      images.keep(whole, folder);
     }
     job.load(folder);
   });
@@ -144,10 +151,7 @@ std::vector<fs::path> CaseModel::known() const {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(data_ / "patients", ignored)) {
     const fs::path file = entry.path() / "case.xml";
-    const bool is_for_practice =
-        std::any_of(practice_patients().begin(), practice_patients().end(),
-                    [&](const PracticePatient& patient) { return entry.path().filename() == patient.folder; });
-    if (!is_for_practice && fs::exists(file, ignored))
+    if (!is_for_practice(entry.path().filename().string()) && fs::exists(file, ignored))
       found.emplace_back(fs::last_write_time(file, ignored), entry.path());
   }
   std::sort(found.rbegin(), found.rend());

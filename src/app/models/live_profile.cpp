@@ -5,9 +5,13 @@
 #include <chrono>
 #include <cstdint>
 #include <exception>
+#include <string_view>
 #include <utility>
+#include <variant>
 
+#include "patient/prepared_body.h"
 #include "study/profile.h"
+#include <fmt/format.h>
 
 namespace bodkin::app {
 
@@ -52,6 +56,37 @@ anatomy::Case around_path(const anatomy::Case& whole) {
   return part;
 }
 
+// Thrown out of a Progress to end a preparation whose body nobody waits for any more.
+struct OtherBodyWanted : std::exception {
+  const char* what() const noexcept override { return "another body is wanted"; }
+};
+
+// Everything that a prepared body is made of, to tell whether two are the same; empty: there is no body.
+std::string recipe_of_body(const ModelSettings& settings) {
+  const anatomy::DeformableBodySettings* const body = anatomy::body_of(settings.haptics.resistance);
+  if (body == nullptr) return {};
+  std::string recipe(anatomy::name_of(settings.haptics.resistance));
+  const auto add = [&recipe](auto number) { recipe += fmt::format(" {}", number); };
+  for (const double number :
+       {body->corridor_radius, body->corridor_beyond, body->corridor_nodes, body->stiffness_scale, body->fix_beyond})
+    add(number);
+  add(body->fix_bone);
+  add(body->fix_cut);
+  if (const auto* needle = std::get_if<anatomy::EmbeddedNeedleSettings>(&settings.haptics.resistance)) {
+    add(needle->point_spacing);
+    add(needle->tip_radius);
+  }
+  for (const anatomy::TissueProperties& tissue : settings.tissues) {
+    const anatomy::DeformableTissue& material = tissue.deformable;
+    add(static_cast<int>(tissue.id));
+    add(static_cast<int>(tissue.layered.kind));
+    add(static_cast<int>(material.fibres));
+    for (const double number : {material.young, material.poisson, material.young_along, material.shear_along})
+      add(number);
+  }
+  return recipe;
+}
+
 // Looks at the CT as well.
 bool needs_ct(const anatomy::HapticSettings& haptics) {
   return anatomy::name_of(haptics.resistance) == "volume_proxy";
@@ -64,10 +99,6 @@ ForceCurve force_curve(anatomy::Case& patient, const ModelSettings& settings) {
   ForceCurve curve;
   if (!patient.description.procedure.path) {
     curve.trouble = "This patient has no planned path to try the needle on.";
-    return curve;
-  }
-  if (anatomy::body_of(settings.haptics.resistance) != nullptr) {
-    curve.trouble = "The curve of a deformable body is not computed here; push the needle to feel a number.";
     return curve;
   }
   using Clock = std::chrono::steady_clock;
@@ -109,8 +140,26 @@ LiveProfile::~LiveProfile() {
   thread_.join();  // before what it uses goes
 }
 
+void LiveProfile::prepare(anatomy::Case& part, const ModelSettings& settings, const std::filesystem::path& folder,
+                          const std::stop_token& stop) {
+  const std::string recipe = recipe_of_body(settings);
+  part.corridor = {};
+  part.description.haptics = settings.haptics;
+  part.library = anatomy::TissueLibrary(settings.tissues);
+  patient::prepare_body(part, folder, std::nullopt,
+                        [&](std::string_view /*stage*/, double fraction) {
+                          const std::lock_guard guard(lock_);
+                          if (stop.stop_requested() || (wanted_ && recipe_of_body(*wanted_) != recipe))
+                            throw OtherBodyWanted();
+                          preparation_ = fraction;
+                        },
+                        {});
+}
+
 void LiveProfile::run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient) {
   anatomy::Case part = around_path(patient->patient);
+  bool is_whole = false;
+  std::string prepared;  // the recipe of the body that `part` has
   while (!stop.stop_requested()) {
     ModelSettings settings;
     {
@@ -120,11 +169,26 @@ void LiveProfile::run(const std::stop_token& stop, const std::shared_ptr<const O
       wanted_.reset();
       works_ = true;
     }
-    if (needs_ct(settings.haptics) && part.ct.voxels.empty()) part = patient->patient;
-    auto made = std::make_shared<const ForceCurve>(force_curve(part, settings));
+    const std::string recipe = recipe_of_body(settings);
+    if ((needs_ct(settings.haptics) || !recipe.empty()) && !std::exchange(is_whole, true)) part = patient->patient;
+    std::shared_ptr<const ForceCurve> made;
+    try {
+      if (!recipe.empty() && recipe != prepared && part.description.procedure.path) {
+        prepared.clear();
+        prepare(part, settings, patient->folder, stop);
+        prepared = recipe;
+      }
+      made = std::make_shared<const ForceCurve>(force_curve(part, settings));
+    } catch (const OtherBodyWanted&) {
+    } catch (const std::exception& failure) {
+      ForceCurve none;
+      none.trouble = failure.what();
+      made = std::make_shared<const ForceCurve>(std::move(none));
+    }
     const std::lock_guard guard(lock_);
     works_ = false;
-    curve_ = std::move(made);
+    preparation_.reset();
+    if (made != nullptr) curve_ = std::move(made);
   }
 }
 
@@ -137,6 +201,11 @@ void LiveProfile::set(const ModelSettings& settings) {
 std::shared_ptr<const ForceCurve> LiveProfile::curve() const {
   const std::lock_guard guard(lock_);
   return curve_;
+}
+
+std::optional<double> LiveProfile::preparation() const {
+  const std::lock_guard guard(lock_);
+  return preparation_;
 }
 
 bool LiveProfile::is_busy() const {

@@ -329,12 +329,27 @@ bool ParameterModel::is_changed() const {
 }
 
 void ParameterModel::load(const std::filesystem::path& file) {
-  const anatomy::TissueLibrary library = io::read_tissue_library(file);
-  remember(false);
+  take(io::read_tissue_library(file), false);
+}
+
+void ParameterModel::take(const anatomy::TissueLibrary& library, bool continues) {
+  remember(continues);
   for (anatomy::TissueProperties& tissue : now_.tissues) {
     if (const anatomy::TissueProperties* const loaded = library.find(tissue.id)) tissue = *loaded;
   }
   find_steps();
+}
+
+anatomy::TissueLibrary ParameterModel::changed_tissues() const {
+  std::vector<anatomy::TissueProperties> changed;
+  bool differs = false;
+  for (std::size_t i = 0; i < now_.tissues.size(); ++i) {
+    const bool is_changed = !same_parameters(now_.tissues[i], reference_.tissues[i]);
+    differs = differs || is_changed;
+    if (is_changed || now_.tissues[i].id == anatomy::tissue::air) changed.push_back(now_.tissues[i]);
+  }
+  if (!differs) return {};
+  return anatomy::TissueLibrary(std::move(changed));
 }
 
 void ParameterModel::save(const std::filesystem::path& file) const {

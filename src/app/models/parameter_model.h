@@ -77,6 +77,10 @@ class ParameterModel {
 
   // The tissues of a library file; ids that the file lacks stay. Throws InputError.
   void load(const std::filesystem::path& file);
+  // The same of a library. `continues`: as of set().
+  void take(const anatomy::TissueLibrary& library, bool continues);
+  // Those that differ from the reference, and air, which no library lacks; none if none differs.
+  anatomy::TissueLibrary changed_tissues() const;
   // All tissues as a library file. Throws SystemError.
   void save(const std::filesystem::path& file) const;
 

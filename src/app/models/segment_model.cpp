@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/models/label_draft.h"
+
 #include "core/error.h"
 #include "training/planning_rules.h"
 #include "training/procedure_file.h"
@@ -19,6 +21,14 @@ anatomy::LabelVolume labels_to_correct(const anatomy::Case& patient) {
   if (patient.ct.empty()) throw InputError("This patient has no CT, so there is nothing to find structures in.");
   if (patient.structures.empty()) return anatomy::LabelVolume(patient.ct.grid);
   return patient.structures;
+}
+
+bool same_table(const std::vector<anatomy::Structure>& some, const std::vector<anatomy::Structure>& others) {
+  const auto same = [](const anatomy::Structure& one, const anatomy::Structure& other) {
+    return one.label == other.label && one.name == other.name && one.tissue == other.tissue &&
+           one.critical == other.critical;
+  };
+  return std::equal(some.begin(), some.end(), others.begin(), others.end(), same);
 }
 
 }  // namespace
@@ -65,10 +75,36 @@ SegmentModel::SegmentModel(std::shared_ptr<const OpenCase> patient)
       table_(patient_->description().structures),
       rules_(training::planning_rules(training::procedure_of_case(patient_->description().procedure.name))),
       active_(table_.empty() ? -1 : 0),
-      saved_table_(table_) {}
+      saved_table_(table_) {
+  std::optional<LabelDraft> draft = kept_label_draft(*patient_);
+  if (!draft) return;
+  editor_.take(draft->labels);
+  table_ = std::move(draft->table);
+  active_ = table_.empty() ? -1 : 0;
+  has_draft_ = true;
+  kept_table_ = table_;
+  kept_version_ = editor_.version();
+}
 
 SegmentModel::~SegmentModel() {
   cancel();
+  try {
+    keep_draft();
+  } catch (const std::exception&) {
+    // A disk that is full: there is nobody any more to whom it could be told.
+  }
+}
+
+void SegmentModel::keep_draft() {
+  editor_.commit();
+  if (!has_changes()) {
+    if (kept_version_) forget_label_draft(*patient_);
+    return kept_version_.reset();
+  }
+  if (kept_version_ == editor_.version() && same_table(table_, kept_table_)) return;
+  keep_label_draft(*patient_, {editor_.labels(), table_});
+  kept_version_ = editor_.version();
+  kept_table_ = table_;
 }
 
 void SegmentModel::choose(int position) {
@@ -158,12 +194,7 @@ void SegmentModel::save() {
 }
 
 bool SegmentModel::has_changes() const {
-  const auto same = [](const anatomy::Structure& one, const anatomy::Structure& other) {
-    return one.label == other.label && one.name == other.name && one.tissue == other.tissue &&
-           one.critical == other.critical;
-  };
-  return editor_.version() != saved_version_ ||
-         !std::equal(table_.begin(), table_.end(), saved_table_.begin(), saved_table_.end(), same);
+  return editor_.version() != saved_version_ || !same_table(table_, saved_table_);
 }
 
 void SegmentModel::cancel() {
@@ -181,6 +212,8 @@ bool SegmentModel::poll() {
     if (job_->status.is_saved) {
       saved_version_ = job_->version;
       saved_table_ = job_->table;
+      forget_label_draft(*patient_);
+      kept_version_.reset();
     }
   }
   if (mask) editor_.replace(*mask, job_->label, job_->over, job_->only_add);

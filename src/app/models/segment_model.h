@@ -27,9 +27,10 @@ class SegmentModel {
     bool is_saved = false;           // the last work saved the case
   };
 
-  // Throws InputError for a patient without a CT, and when the procedure of the case cannot be read.
+  // With what was changed and not saved the last time, as one step. Throws InputError for a patient without a CT, and
+  // when the procedure of the case cannot be read.
   explicit SegmentModel(std::shared_ptr<const OpenCase> patient);
-  // Cancels what runs.
+  // Cancels what runs; what was not saved is kept for the next time.
   ~SegmentModel();
   SegmentModel(const SegmentModel&) = delete;
   SegmentModel& operator=(const SegmentModel&) = delete;
@@ -63,6 +64,10 @@ class SegmentModel {
   Status status() const;
   // Something was changed since it was opened or saved.
   bool has_changes() const;
+  // It began with what was not saved the last time.
+  bool has_draft() const { return has_draft_; }
+  // What was changed and not saved is kept beside the case, in case the program ends. Throws SystemError.
+  void keep_draft();
 
  private:
   struct Job;
@@ -76,7 +81,9 @@ class SegmentModel {
   patient::PlanningRules rules_;
   int active_ = -1;
   std::uint64_t saved_version_ = 0;
-  std::vector<anatomy::Structure> saved_table_;
+  std::optional<std::uint64_t> kept_version_;  // of the draft beside the case; nothing: there is none
+  bool has_draft_ = false;
+  std::vector<anatomy::Structure> saved_table_, kept_table_;
   std::shared_ptr<Job> job_;  // null: none ran yet
   std::vector<std::jthread> threads_;
 };

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <system_error>
 #include <utility>
 
 #include "app/models/remote_station.h"
@@ -16,6 +17,11 @@ namespace bodkin::app {
 namespace {
 
 constexpr std::chrono::milliseconds watch_interval{4};
+
+// Thrown out of a Progress to end the preparation.
+struct PreparationGivenUp : std::exception {
+  const char* what() const noexcept override { return "given up"; }
+};
 
 AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& patient, const AttemptRules& rules,
                         session::RunResult run) {
@@ -62,6 +68,7 @@ struct StationLink::Shared {
   std::vector<station::StationCommand> commands;
   std::optional<station::ScanOrder> order;
   std::optional<BodyPlace> body;
+  std::optional<std::pair<std::vector<Vec3>, Vec3>> points;  // and the entry that they are about
   std::optional<std::pair<anatomy::HapticSettings, std::vector<anatomy::TissueProperties>>> numbers;
   std::atomic<bool> ended{false};
 };
@@ -73,6 +80,7 @@ class StationLink::Observer : public station::StationObserver {
 
   Progress progress() override {
     return [shared = shared_](std::string_view stage, double fraction) {
+      if (shared->ended.load()) throw PreparationGivenUp();
       const std::lock_guard guard(shared->lock);
       shared->news.stage = stage;
       shared->news.fraction = fraction;
@@ -94,6 +102,7 @@ class StationLink::Observer : public station::StationObserver {
     std::vector<station::StationCommand> commands;
     std::optional<station::ScanOrder> order;
     std::optional<BodyPlace> body;
+    decltype(shared_->points) points;
     decltype(shared_->numbers) numbers;
     std::shared_ptr<const station::LivePicture> picture;
     if (status.ultrasound != nullptr && status.ultrasound->number != shown_picture_) {
@@ -105,10 +114,13 @@ class StationLink::Observer : public station::StationObserver {
       commands.swap(shared_->commands);
       order.swap(shared_->order);
       body.swap(shared_->body);
+      points.swap(shared_->points);
       numbers.swap(shared_->numbers);
       publish(status, std::move(picture));
+      if (points) shared_->news.displacements.assign(3 * points->first.size(), 0.0F);  // the status is of others
     }
     for (const station::StationCommand command : commands) station.command(command);
+    if (points) follow(station, points->first, points->second);
     if (order) station.set_scan_order(*order);
     if (body && !station.move_body(body->middle, body->rotation))
       note("The body stays where it is: a needle touches it, or a second hand takes part.");
@@ -117,6 +129,14 @@ class StationLink::Observer : public station::StationObserver {
   }
 
  private:
+  void follow(station::Station& station, const std::vector<Vec3>& points, const Vec3& entry) {
+    try {
+      station.follow(points, entry);
+    } catch (const std::exception& refused) {
+      note(refused.what());
+    }
+  }
+
   void publish(const station::StationStatus& status, std::shared_ptr<const station::LivePicture> picture) {
     StationNews& news = shared_->news;
     news.time = status.time;
@@ -175,10 +195,22 @@ void StationLink::start(station::StationOptions options, const std::string& devi
       const std::lock_guard guard(shared->lock);
       shared->news.phase = phase;
     };
+    const std::filesystem::path file = options.output;
+    bool is_made = false;  // the file
+    const auto remove_empty = [&] {
+      std::error_code ignored;
+      if (is_made && shared->news.needle.ticks == 0) std::filesystem::remove(file, ignored);
+      return !is_made || shared->news.needle.ticks == 0;
+    };
     try {
       Observer observer(shared, std::move(points));
-      const std::filesystem::path file = options.output;
       station::Station station(std::move(options), observer);
+      is_made = true;
+      if (shared->ended.load()) throw PreparationGivenUp();
+      {
+        const std::lock_guard guard(shared->lock);
+        shared->news.limits = station.patient().description.device;
+      }
       station.start();
       enter(StationNews::Phase::running);
       while (!station.ended()) {
@@ -191,16 +223,29 @@ void StationLink::start(station::StationOptions options, const std::string& devi
       const std::lock_guard guard(shared->lock);
       shared->news.result = std::move(result);
       shared->news.phase = StationNews::Phase::finished;
+    } catch (const PreparationGivenUp&) {
+      remove_empty();
+      enter(StationNews::Phase::idle);
     } catch (const std::exception& failure) {
+      const bool is_empty = remove_empty();
       const std::lock_guard guard(shared->lock);
+      if (!is_empty) {
+        shared->news.result.emplace();
+        shared->news.result->session = file;
+        shared->news.result->headline = "The session was cut off; what was recorded until then is kept";
+      }
       shared->news.error = failure.what();
       shared->news.phase = StationNews::Phase::failed;
     }
   });
 }
 
-void StationLink::follow_points(std::vector<Vec3> points) {
-  if (remote_ != nullptr) remote_->follow_points(std::move(points));
+void StationLink::follow_points(std::vector<Vec3> points, const Vec3& entry) {
+  if (remote_ != nullptr) return remote_->follow_points(std::move(points));
+  if (shared_ == nullptr) return;
+  const std::lock_guard guard(shared_->lock);
+  shared_->news.displacements.assign(3 * points.size(), 0.0F);
+  shared_->points = {std::move(points), entry};
 }
 
 void StationLink::command(station::StationCommand command) {

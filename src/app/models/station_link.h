@@ -44,7 +44,7 @@ struct AttemptRules {
 struct StationNews {
   enum class Phase { idle, preparing, running, finishing, finished, failed };
   Phase phase = Phase::idle;
-  std::string stage;      // while preparing
+  std::string stage;      // while preparing; empty: it has not begun
   double fraction = 0.0;  // of the stage
   std::string error;      // why it failed
 
@@ -54,8 +54,9 @@ struct StationNews {
   haptics::ServoTimings timings;
   std::vector<forces::DiagnosticName> diagnostic_names;
   std::string device;
-  std::string message;             // the newest sentence
-  std::vector<std::string> notes;  // since the last poll
+  std::optional<anatomy::DeviceLimits> limits;  // of the device; nothing: none runs, or it is elsewhere
+  std::string message;                          // the newest sentence
+  std::vector<std::string> notes;               // since the last poll
   static constexpr std::size_t most_samples = 20000;
   std::vector<station::HandSample> samples;  // since the last poll; no more than these wait for a window
   std::vector<session::SessionEvent> events;
@@ -82,21 +83,24 @@ class StationLink {
              std::vector<Vec3> points = {});
   // Ends what runs, and follows this one from now on; end() ends its session, stop() looks away.
   void follow(std::unique_ptr<RemoteStation> station);
-  // Of a station elsewhere: other points than before.
-  void follow_points(std::vector<Vec3> points);
+  // Other points than before, for a needle that has entered at `entry`; see station::Station::follow. Until the
+  // station knows of them they are at rest.
+  void follow_points(std::vector<Vec3> points, const Vec3& entry);
   void command(station::StationCommand command);
   void set_scan_order(const station::ScanOrder& order);
   // See station::Station::move_body; what was ordered last before the station runs holds as well.
   void move_body(const BodyPlace& place);
   // See station::Station::change_numbers; what was ordered last before the station runs holds as well.
   void change_numbers(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues);
-  // Ends the session; the news say when it is saved.
+  // Ends the session; the news say when it is saved. One that is being prepared is given up, and leaves no file.
   void end();
   // Ends it, and waits until it is saved.
   void stop();
 
   // What is new since the last call; valid until the next one.
   const StationNews& poll();
+  // What the last call of poll() found.
+  const StationNews& news() const noexcept { return news_; }
 
  private:
   class Observer;

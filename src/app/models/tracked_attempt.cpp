@@ -34,7 +34,13 @@ TrackedAttempt::TrackedAttempt(const std::shared_ptr<const OpenCase>& patient, c
   options.ultrasound = ultrasound;
   options.output = new_session_file(patient->title);
   options.longest = 3600.0;
-  link_.start(std::move(options), "Tracked needle", {true, ""});
+  link_.start(std::move(options), "Tracked needle", {true, ""}, tissue_.follow({}, *path, patient->patient.tissues));
+}
+
+const StationNews& TrackedAttempt::poll() {
+  const StationNews& news = link_.poll();
+  moved_ = tissue_.now(news.displacements);
+  return news;
 }
 
 std::string TrackedAttempt::sentence(const StationNews& news) {

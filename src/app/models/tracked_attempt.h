@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/models/slice_tissue.h"
 #include "app/models/station_link.h"
 #include "tracking/station_footage.h"
 #include "views/open_case.h"
@@ -28,12 +29,16 @@ class TrackedAttempt {
   void set_scan_order(const station::ScanOrder& order) { link_.set_scan_order(order); }
   void end() { link_.end(); }
   // Once a frame: what is new. A session of footage ends with it.
-  const StationNews& poll() { return link_.poll(); }
+  const StationNews& poll();
+  // How the needle has moved the tissue of a body that deforms, of the newest news; null: it rests.
+  const std::shared_ptr<const imaging::MovedTissue>& moved_tissue() const { return moved_; }
   // What the person should read of the newest news, one sentence in the words of the source.
   static std::string sentence(const StationNews& news);
   static bool is_over(const StationNews& news);
 
  private:
+  SliceTissue tissue_;
+  std::shared_ptr<const imaging::MovedTissue> moved_;
   StationLink link_;
 };
 

@@ -58,7 +58,7 @@ std::optional<Warning> warning_at(const anatomy::Case& patient, const Vec3& tip,
   }
   if (tissue == anatomy::tissue::nerve) {
     return Warning{Warning::Kind::nerve, with_name("Nerve", nullptr, title),
-                   "Stop and draw back at once: the patient feels a shock down the leg."};
+                   "Stop and draw back at once: the patient feels a shock along the nerve."};
   }
   if (tissue == anatomy::tissue::vessel) {
     return Warning{Warning::Kind::vessel, with_name("Vessel", structure, title),

@@ -101,7 +101,11 @@ void CameraPage::start() {
   told_.clear();
   result_.reset();
   latencies_.clear();
-  watch_ = std::make_unique<CameraWatch>(patient_, wanted_files(), path_in(registration), look());
+  // A picture is shown when it comes, not at the window's next frame, which may be 33 ms away.
+  watch_ = std::make_unique<CameraWatch>(patient_, wanted_files(), path_in(registration), look(), [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { take_news(); }, Qt::QueuedConnection);
+  });
   try {
     const station::UltrasoundChoice choice = choice_of_page(*patient_);
     ultrasound_->set_scan(choice);
@@ -230,18 +234,22 @@ void CameraPage::advance(double clock) {
       show_buttons();
     }
   }
-  if (watch_ != nullptr) {
-    CameraNews news = watch_->news();
-    const bool is_new = news.number != news_.number;
-    news_ = std::move(news);
-    if (is_new) show_news(clock);
-    if (!news_.error.empty()) {
-      failure_ = news_.error;
-      stop();
-    }
+  shown_.clock = clock;
+  take_news();
+  if (watch_ != nullptr && !news_.error.empty()) {
+    failure_ = news_.error;
+    stop();
   }
   follow_attempt();
   show_line();
+}
+
+void CameraPage::take_news() {
+  if (watch_ == nullptr) return;
+  CameraNews news = watch_->news();
+  const bool is_new = news.number != news_.number;
+  news_ = std::move(news);
+  if (is_new) show_news();
 }
 
 void CameraPage::note_latency() {
@@ -251,14 +259,14 @@ void CameraPage::note_latency() {
   if (latencies_.size() > most_latencies) latencies_.pop_front();
 }
 
-void CameraPage::show_news(double clock) {
+void CameraPage::show_news() {
   picture_->show_picture(news_.picture);
+  picture_->repaint();  // at once: slices and ultrasound take longer, and nobody aims by them
   show_bodies();
   Changes changes;
   changes.needle = changes.tissue = true;
-  shown_.clock = clock;
   shown_.has_needle = news_.needle.has_value();
-  shown_.moved_tissue = machine_ != nullptr && news_.probe ? machine_->moved_tissue() : nullptr;
+  shown_.moved_tissue = moved_tissue();
   if (watch_ != nullptr) watch_->set_moved_tissue(shown_.moved_tissue);
   if (news_.needle) {
     shown_.needle = shown_.hand = *news_.needle;
@@ -286,6 +294,15 @@ void CameraPage::show_news(double clock) {
   ultrasound_->show_frame(shown_, changes);
   if (const std::string trouble = machine_->take_trouble(); !trouble.empty()) ultrasound_->say(trouble);
   shown_.ultrasound = nullptr;
+}
+
+// By the probe, and by the needle of a session.
+std::shared_ptr<const imaging::MovedTissue> CameraPage::moved_tissue() const {
+  std::shared_ptr<const imaging::MovedTissue> pressed, pushed;
+  if (machine_ != nullptr && news_.probe) pressed = machine_->moved_tissue();
+  if (attempt_ != nullptr) pushed = attempt_->moved_tissue();
+  if (pressed == nullptr || pushed == nullptr) return pressed != nullptr ? pressed : pushed;
+  return std::make_shared<const imaging::MovedTissue>(pressed->plus(*pushed));
 }
 
 void CameraPage::show_bodies() {

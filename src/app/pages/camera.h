@@ -72,7 +72,9 @@ class CameraPage : public Page {
   void use_source(const QString& source);
   tracking::AugmentedLook look() const;
   void send_look();
-  void show_news(double clock);
+  std::shared_ptr<const imaging::MovedTissue> moved_tissue() const;
+  void take_news();
+  void show_news();
   void note_latency();
   void show_bodies();
   void show_line();

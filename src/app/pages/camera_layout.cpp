@@ -158,6 +158,8 @@ QWidget* CameraPage::make_panel() {
   table_->verticalHeader()->setDefaultSectionSize(camera_row);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(body_columns - 1, QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setMinimumSectionSize(1);  // no column is kept wider than its share
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setFocusPolicy(Qt::NoFocus);

@@ -81,12 +81,14 @@ QPushButton* Card::add_button(QHBoxLayout* row, const char* name, const QString&
 PreparingCard::PreparingCard(QWidget* parent) : Card("preparing", parent) {
   add_label("heading")->setText(tr("The patient is being prepared"));
   what_ = add_label("plain");
+  what_->setObjectName(QStringLiteral("preparing.what"));
   bar_ = new QProgressBar;
   bar_->setObjectName(QStringLiteral("preparing.bar"));
   bar_->setTextVisible(false);
   bar_->setRange(0, 1000);
   rows()->addWidget(bar_);
   time_ = add_label("second");
+  time_->setObjectName(QStringLiteral("preparing.time"));
   auto* row = new QHBoxLayout;
   row->addStretch(1);
   connect(add_button(row, "preparing.cancel", tr("Cancel"), tr("Back to the start"), false), &QPushButton::clicked,
@@ -95,14 +97,23 @@ PreparingCard::PreparingCard(QWidget* parent) : Card("preparing", parent) {
 }
 
 void PreparingCard::show_progress(const QString& what, double fraction, double seconds) {
+  // Of a step that has hardly begun nobody knows how long it takes.
+  constexpr double known_from = 0.1, worth_telling = 1.0;  // of the step; s
+  if (what != what_->text() || seconds < step_began_) step_began_ = seconds;
   what_->setText(what);
   bar_->setValue(static_cast<int>(std::lround(1000.0 * fraction)));
-  time_->setText(tr("%1 s so far").arg(static_cast<int>(seconds)));
+  const double left = fraction < known_from ? 0.0 : (seconds - step_began_) * (1.0 - fraction) / fraction;
+  time_->setText(left < worth_telling ? tr("%1 s so far").arg(static_cast<int>(seconds))
+                                      : tr("%1 s so far, about %2 s more for this step")
+                                            .arg(static_cast<int>(seconds))
+                                            .arg(static_cast<int>(std::lround(left))));
 }
 
 PauseCard::PauseCard(QWidget* parent) : Card("pause", parent) {
   title_ = add_label("heading");
+  title_->setObjectName(QStringLiteral("pause.title"));
   reason_ = add_label("second");
+  reason_->setObjectName(QStringLiteral("pause.reason"));
   auto* row = new QHBoxLayout;
   resume_ = add_button(row, "pause.resume", tr("Resume"), tr("Go on where you were (Esc)"), true);
   connect(resume_, &QPushButton::clicked, this, &PauseCard::resume_requested);

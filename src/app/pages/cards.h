@@ -45,6 +45,8 @@ class PreparingCard : public Card {
   Q_OBJECT
  public:
   explicit PreparingCard(QWidget* parent);
+  // The step `what`, of which `fraction` (0 to 1) is done, `seconds` after the preparation began. From the step's own
+  // pace follows how long it still takes.
   void show_progress(const QString& what, double fraction, double seconds);
 
  signals:
@@ -54,6 +56,7 @@ class PreparingCard : public Card {
   QLabel* what_;
   QLabel* time_;
   QProgressBar* bar_;
+  double step_began_ = 0.0;  // s
 };
 
 // Resume, Again, End, Leave; also after a fault and where the device has gone.

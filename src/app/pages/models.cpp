@@ -17,8 +17,11 @@
 #include <exception>
 #include <utility>
 
+#include "app/models/model_draft.h"
 #include "views/language.h"
 #include "views/theme.h"
+
+#include "core/error.h"
 
 namespace bodkin::app {
 
@@ -34,6 +37,7 @@ QString step_words(const SettingStep& step, double value) {
 }  // namespace
 
 void ModelsPage::set_case(std::shared_ptr<const OpenCase> patient) {
+  leave();
   patient_ = std::move(patient);
   profile_.reset();
   model_.reset();
@@ -49,8 +53,18 @@ void ModelsPage::enter() {
   model_ = std::make_unique<ParameterModel>(patient_);
   profile_ = std::make_unique<LiveProfile>(patient_);
   step_ = 0;
+  const bool was_kept = take_model_draft(*model_, patient_->folder);
   show_steps();
-  say({}, false);
+  say(was_kept ? tr("What was changed the last time is here again; Ctrl+Z takes it back.") : QString(), false);
+}
+
+void ModelsPage::leave() {
+  if (model_ == nullptr) return;
+  try {
+    keep_model_draft(*model_, patient_->folder);
+  } catch (const SystemError& error) {
+    say(in_words(error.what()), true);
+  }
 }
 
 void ModelsPage::show_steps() {
@@ -170,6 +184,9 @@ void ModelsPage::say(const QString& sentence, bool is_trouble) {
 void ModelsPage::advance(double /*clock*/) {
   show_felt();
   if (profile_ == nullptr) return;
+  if (const std::optional<double> preparation = profile_->preparation()) {
+    figures_->setText(tr("Preparing the deformable body for the curve: %1 %").arg(100.0 * *preparation, 0, 'f', 0));
+  }
   std::shared_ptr<const ForceCurve> curve = profile_->curve();
   if (curve == nullptr || curve == now_) return;
   now_ = std::move(curve);

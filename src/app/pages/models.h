@@ -33,6 +33,7 @@ class ModelsPage : public Page {
 
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void enter() override;
+  void leave() override;
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
 

@@ -21,7 +21,8 @@ namespace {
 constexpr int margin = 12;                               // pixels, of what lies on the picture
 constexpr int slice_column = 452, instrument_row = 164;  // pixels at 1280 x 720
 constexpr int gap = 4;
-constexpr int cube = 84;  // the orientation cube of the 3-D view, in its lower left corner
+constexpr int ladder_top = 60;  // below the buttons
+constexpr int cube = 84;        // the orientation cube of the 3-D view, in its lower left corner
 
 // One for each size of screen: what fits a projector does not fit a laptop.
 QString layout_key(const QSplitter& splitter) {
@@ -47,7 +48,7 @@ PractisePage::PractisePage(QWidget* parent)
       other_hand_(new OtherHandBar(view3d_)) {
   setObjectName(QStringLiteral("practise"));
   view3d_->installEventFilter(this);
-  auto measures = std::make_shared<Measures>();
+  const std::shared_ptr<Measures>& measures = measures_;
   for (const auto& [kind, name] : {std::pair{SliceKind::sagittal, "practise.slice.sagittal"},
                                    std::pair{SliceKind::axial, "practise.slice.axial"},
                                    std::pair{SliceKind::coronal, "practise.slice.coronal"}}) {
@@ -61,6 +62,7 @@ PractisePage::PractisePage(QWidget* parent)
       if (other != slice) connect(slice, &SliceView::measures_changed, other, qOverload<>(&QWidget::update));
     }
     connect(slice, &View::fill_requested, this, [this, slice] { make_big(slice); });
+    connect(slice, &SliceView::measures_changed, this, &PractisePage::save_measures);
   }
   views_ = {view3d_, tip_, bullseye_, ladder_, banner_, chart_, numbers_, dock_};
   views_.insert(views_.end(), slices_.begin(), slices_.end());
@@ -128,7 +130,10 @@ void PractisePage::make_moving() {
 }
 
 void PractisePage::show_moving(const std::optional<View3d::Workspace>& workspace) {
+  const bool was_moving = view3d_->workspace().has_value();
   view3d_->set_workspace(workspace);
+  // The ladder would lie over the workspace.
+  if (aids_.ladder && was_moving != workspace.has_value()) ladder_->setVisible(was_moving);
   move_->setChecked(workspace.has_value());
   undo_->setVisible(workspace.has_value());
   reset_->setVisible(workspace.has_value());
@@ -283,6 +288,8 @@ void PractisePage::make_big(View* view) {
 void PractisePage::show_ultrasound(const std::optional<station::UltrasoundChoice>& choice) {
   ultrasound_->set_scan(choice);
   has_ultrasound_ = choice.has_value();
+  probe_.reset();
+  if (choice) probe_ = choice->probe;
   arrange_slices();
   arrange_columns();
   if (has_ultrasound_) ultrasound_->setFocus(Qt::OtherFocusReason);
@@ -354,6 +361,7 @@ void PractisePage::toggle_numbers() {
 
 void PractisePage::set_case(const std::shared_ptr<const OpenCase>& patient) {
   for (View* view : views_) view->set_case(patient);
+  take_measures(patient != nullptr ? patient->folder : std::filesystem::path());
 }
 
 void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
@@ -363,7 +371,8 @@ void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
     // Chart and dock collect, and the banner appears, while nobody sees them.
     if (view->isVisible() || view == chart_ || view == banner_ || view == dock_) view->show_frame(frame, changes);
   }
-  if (changes.warning) arrange_overlays();
+  show_probe(frame);
+  if (changes.warning || ladder_->width() != ladder_->sizeHint().width()) arrange_overlays();
 }
 
 void PractisePage::arrange_overlays() {
@@ -379,11 +388,13 @@ void PractisePage::arrange_overlays() {
     left_of_next += each->width() + gap;
   }
   other_hand_->move(margin, 2 * margin + tip_->height() + (move_ != nullptr ? move_->height() + gap : 0));
-  const int ladder_height = std::clamp(all.height() - 132, 120, 400);
-  ladder_->setGeometry(all.width() - 118 - gap, 60, 118, ladder_height);
   const int left = margin + cube;
   const int bullseye_width = std::min(472, all.width() - margin - left);
   bullseye_->setGeometry(left, all.height() - 92 - margin, bullseye_width, 92);
+  const int ladder_width = ladder_->sizeHint().width(), ladder_left = all.width() - ladder_width - gap;
+  const bool is_above_bullseye = ladder_left < left + bullseye_width + gap;
+  const int ladder_bottom = is_above_bullseye ? bullseye_->y() - gap : all.height() - ladder_top - margin;
+  ladder_->setGeometry(ladder_left, ladder_top, ladder_width, std::clamp(ladder_bottom - ladder_top, 120, 400));
   const QSize words = banner_->sizeHint();
   const int width = std::min(words.width(), all.width() - 2 * margin);
   banner_->setGeometry((all.width() - width) / 2, bullseye_->y() - words.height() - margin, width, words.height());

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <QWidget>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/pages/other_hand.h"
@@ -79,6 +82,7 @@ class PractisePage : public QWidget {
   void again_requested();
   void end_requested();
   void warning_acknowledged();
+  void said(const QString& sentence);  // why something could not be kept
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -90,6 +94,9 @@ class PractisePage : public QWidget {
   QWidget* make_strip();
   void make_moving();
   void arrange_overlays();
+  void show_probe(const Frame& frame);
+  void take_measures(const std::filesystem::path& folder);
+  void save_measures();
   void arrange_slices();
   void arrange_columns();
   void restore_layout();
@@ -108,8 +115,12 @@ class PractisePage : public QWidget {
   OtherHandBar* other_hand_;
   training::PlanAids aids_{.ultrasound = true};  // without a plan everything may be seen
   bool has_ultrasound_ = false, has_volume_ = false;
-  std::vector<SliceView*> slices_;  // the first one is big
-  std::vector<View*> views_;        // all of them
+  std::optional<anatomy::UltrasoundProbe> probe_;    // of the live ultrasound
+  std::optional<std::pair<Pose, double>> outlined_;  // where it is drawn, and the depth of its picture, mm
+  std::shared_ptr<Measures> measures_ = std::make_shared<Measures>();  // of all slices
+  std::filesystem::path measured_in_;                                  // the patient's folder
+  std::vector<SliceView*> slices_;                                     // the first one is big
+  std::vector<View*> views_;                                           // all of them
   QSplitter* columns_ = nullptr;
   QSplitter* left_ = nullptr;
   QWidget* right_ = nullptr;

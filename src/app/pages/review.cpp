@@ -13,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/models/probe_outline.h"
 #include "app/pages/session_list.h"
 #include "app/pages/verdict_panel.h"
 #include "report/report.h"
@@ -181,9 +182,15 @@ void ReviewPage::show_trails() {
   for (const Recording::PathPiece& piece : recording_->path())
     trails->push_back({piece.points, rgb_of(tissue_colour(piece.tissue, library)), own_width});
   if (scan_) trails->push_back({scan_border(recording_->session(), *scan_), rgb_of(along_colour), other_width});
-  view3d_->set_trails(trails);
   path_->set_trails(trails);
   for (SliceView* slice : slices_) slice->set_trails(trails);
+  if (!scan_) return view3d_->set_trails(trails);
+  auto with_probe = std::make_shared<std::vector<scene::Trail>>(*trails);
+  const session::ScanSample& now = recording_->session().scans[*scan_];
+  const std::vector<scene::Trail> probe =
+      probe_outline(*recording_->session().header.ultrasound, now.settings.depth, now.probe);
+  with_probe->insert(with_probe->end(), probe.begin() + 1, probe.end());
+  view3d_->set_trails(std::move(with_probe));
 }
 
 // The probe of the moment: the border of its picture among the ways, and the picture.

@@ -199,16 +199,19 @@ QWidget* ReviewPage::make_transport() {
     speeds_.push_back(speed);
   }
   row->addStretch(1);
+  auto* moment = new QVBoxLayout;  // one over the other: the names of structures are long
+  moment->setSpacing(0);
+  row->addLayout(moment);
   place_ = new QLabel;
   place_->setObjectName(QStringLiteral("review.place"));
-  row->addWidget(place_);
-  row->addSpacing(14);
+  place_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  moment->addWidget(place_);
   clock_label_ = new QLabel;
   clock_label_->setObjectName(QStringLiteral("review.clock"));
   clock_label_->setProperty("role", QStringLiteral("second"));
-  clock_label_->setMinimumWidth(112);
+  clock_label_->setMinimumWidth(92);
   clock_label_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row->addWidget(clock_label_);
+  moment->addWidget(clock_label_);
   return bar;
 }
 

@@ -61,7 +61,8 @@ void SegmentPage::enter() {
   for (SegmentSlice* each : slices_) each->set_case(patient_, &model_->editor().labels());
   set_crosshair(path ? path->target
                      : grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1)));
-  say({}, false);
+  say(model_->has_draft() ? tr("What was not saved the last time is here again; Ctrl+Z takes it back.") : QString(),
+      false);
   show_table();
   choose_tool(SegmentTool::look);
   show_labels(true);
@@ -70,6 +71,12 @@ void SegmentPage::enter() {
 
 void SegmentPage::leave() {
   end_stroke();
+  if (model_ == nullptr) return;
+  try {
+    model_->keep_draft();
+  } catch (const SystemError& error) {
+    say(in_words(error.what()), true);
+  }
 }
 
 void SegmentPage::set_crosshair(const Vec3& point) {

@@ -169,7 +169,7 @@ TEST(AtlasPage, the_needle_of_a_device_touches_points) {
         page.advance(0.0);
         return view->tip().has_value();
       },
-      20000))
+      60000))
       << view->said().toStdString();
   page.leave();
   EXPECT_FALSE(touch->isChecked());
@@ -182,7 +182,7 @@ TEST(AtlasPage, the_needle_of_a_device_touches_points) {
         page.advance(0.0);
         return !touch->isChecked();
       },
-      20000));
+      60000));
   EXPECT_TRUE(view->said().contains(QStringLiteral("/nowhere/libdrd.so"))) << view->said().toStdString();
 }
 

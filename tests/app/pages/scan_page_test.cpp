@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <functional>
 
 #include "app/pages/scan.h"
 #include "tests/views/made_up.h"
@@ -38,11 +39,18 @@ class ScanPageTest : public testing::Test {
   void click(const char* name) { QTest::mouseClick(find(name), Qt::LeftButton); }
   void scan() {
     click("scan.start");
-    for (int i = 0; i < 5000 && (page_.is_scanning() || find("scan.start")->text() != "SCAN"); ++i) {
-      page_.advance(clock_ += 0.01);
-      QTest::qWait(2);
-    }
-    EXPECT_FALSE(page_.is_scanning());
+    EXPECT_TRUE(wait_until_over());
+  }
+  bool wait(const std::function<bool()>& until) {
+    return QTest::qWaitFor(
+        [&] {
+          page_.advance(clock_ += 0.01);
+          return until();
+        },
+        120000);
+  }
+  bool wait_until_over() {
+    return wait([&] { return !page_.is_scanning() && find("scan.start")->text() == "SCAN"; });
   }
 
   Frame frame_;
@@ -106,15 +114,9 @@ TEST_F(ScanPageTest, stopping_keeps_the_slices_that_came) {
   find<QDoubleSpinBox>("scan.thickness")->setValue(10.0);
   find<QDoubleSpinBox>("scan.spacing")->setValue(0.5);
   click("scan.start");
-  for (int i = 0; i < 1000 && page_.scans()[0]->slices.size() < 3; ++i) {
-    page_.advance(clock_ += 0.01);
-    QTest::qWait(1);
-  }
+  ASSERT_TRUE(wait([&] { return page_.scans()[0]->slices.size() >= 3; }));
   click("scan.start");
-  for (int i = 0; i < 1000 && (page_.is_scanning() || find("scan.start")->text() != "SCAN"); ++i) {
-    page_.advance(clock_ += 0.01);
-    QTest::qWait(1);
-  }
+  ASSERT_TRUE(wait_until_over());
   EXPECT_GE(page_.scans()[0]->slices.size(), 3U);
   EXPECT_LT(page_.scans()[0]->slices.size(), 121U);
 }

@@ -24,6 +24,8 @@ namespace {
 using bodkin_test::frame_at;
 using bodkin_test::layered_patient;
 
+constexpr int patience = 120000;  // ms; software OpenGL on a busy machine takes seconds for a picture
+
 // Water with a column of bone along the path of the needle, coarse so that it is quick.
 std::shared_ptr<const OpenCase> bony_patient() {
   static const std::shared_ptr<const OpenCase> made = [] {
@@ -63,11 +65,22 @@ class VolumePageTest : public testing::Test {
     settle();
   }
   void settle() {
-    for (int i = 0; i < 4000 && (i < 2 || !page_.view().is_settled()); ++i) {
-      page_.advance(clock_ += 0.05);
-      QTest::qWait(2);
-    }
-    EXPECT_TRUE(page_.view().is_settled());
+    page_.advance(clock_ += 0.05);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          page_.advance(clock_ += 0.05);
+          return page_.view().is_settled();
+        },
+        patience));
+  }
+  // So soon that the camera counts as moving still.
+  void await_picture_of(const scene::Camera& camera) {
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+          page_.advance(clock_ += 0.00001);
+          return page_.view().picture().base()->order.camera == camera;
+        },
+        patience));
   }
   std::uint32_t pixel(const Vec3& point) {
     const scene::VolumePicture& shown = page_.view().picture();
@@ -180,10 +193,7 @@ TEST_F(VolumePageTest, while_the_camera_moves_the_picture_is_coarse_and_fine_aft
   camera = scene::turned(camera, 0.3, 0.0);
   page_.view().set_camera(camera);
   page_.advance(clock_ += 0.01);
-  for (int i = 0; i < 2000 && !(page_.view().picture().base()->order.camera == camera); ++i) {
-    QTest::qWait(2);
-    page_.advance(clock_ += 0.00001);
-  }
+  await_picture_of(camera);
   const scene::VolumeOrder coarse = page_.view().picture().base()->order;
   EXPECT_GE(coarse.voxels, 2.0);
   EXPECT_LE(coarse.voxels, 4.0) << "on a machine that is slow";
@@ -225,10 +235,7 @@ TEST_F(VolumePageTest, a_card_draws_all_of_the_view_at_once_while_the_camera_mov
   const scene::Camera camera = scene::turned(page_.view().camera(), 0.3, 0.0);
   page_.view().set_camera(camera);
   page_.advance(clock_ += 0.01);
-  for (int i = 0; i < 4000 && !(page_.view().picture().base()->order.camera == camera); ++i) {
-    QTest::qWait(2);
-    page_.advance(clock_ += 0.00001);
-  }
+  await_picture_of(camera);
   const scene::VolumeOrder moving = page_.view().picture().base()->order;
   EXPECT_FALSE(moving.may_be_cut_short);
   EXPECT_LE(moving.voxels, 2.0) << "finer than the processor's";
