@@ -111,8 +111,8 @@ function(bodkin_modules_below result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# bodkin_libraries_first(PROGRAM target...): for a program that is optimised less than the modules that it links. Of an
-# inline function that both use the linker keeps the first copy: let it be the one of the module.
+# bodkin_libraries_first(PROGRAM target...): for a program that is not optimised itself, or links modules that are not. Of
+# an inline function that several use the linker keeps the first copy: let it be the one of an optimised module.
 function(bodkin_libraries_first program)
   bodkin_modules_below(modules ${ARGN})
   list(FILTER modules EXCLUDE REGEX "${BODKIN_UNOPTIMISED_UNDER_SANITIZERS}")

@@ -51,8 +51,11 @@ git ls-files 'src/*.h' | xargs awk -v hubs="$hubs" '
     for (i = 1; i <= count; ++i) print start[headers[i]] == "" ? "-" : start[headers[i]], headers[i]
   }' > "$work/all"
 
-# precompile HUB, check START HEADER: with the compiler that this script has found.
-precompile() { clang++ "${flags[@]}" -x c++-header "src/$1" -o "$work/$(tr / . <<< "$1").pch"; }
+# precompile HUB, check START HEADER. What the inline functions of a hub instantiate is compiled with it, or each header
+# would do that again: most of its time.
+precompile() {
+  clang++ "${flags[@]}" -fpch-instantiate-templates -x c++-header "src/$1" -o "$work/$(tr / . <<< "$1").pch"
+}
 check() {
   local from=()
   [ "$1" = - ] || from=(-include-pch "$work/$(tr / . <<< "$1").pch")

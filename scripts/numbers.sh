@@ -52,6 +52,7 @@ run_bench:expert_recorded the same, recorded
 fem_tick_bench:machine_itself a fixed sum of about 6 us: what the machine adds
 fem_tick_bench:factor_tick constraint factor: solve and update, k constraints
 fem_tick_bench:needle_tick needle in the deformable body, k contact points
+fem_tick_bench:changeover_tick the slowest tick while k contact points go over to another compliance
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
 fem_body_bench:prepare mesh to condensed body, nodes along an edge (0: fine near an oblique path)
@@ -62,6 +63,7 @@ fem_preparation_bench:only_check check of the mesh, nodes along an edge
 fem_preparation_bench:only_plan order of elimination, nodes along an edge
 fem_preparation_bench:only_factorise factorisation and condensation, nodes along an edge
 fem_preparation_bench:field_of_corridor displacement of all nodes, nodes along an edge
+fem_preparation_bench:contact_body a body that a needle can enter anywhere, nodes along an edge
 corotational_bench:step one step, nodes along an edge
 ultrasound_bench:paper feature set of Sutherland et al. 2013, 300 x 300, one thread
 ultrasound_bench:everything everything, 300 x 300, threads
