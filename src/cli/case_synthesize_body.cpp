@@ -9,6 +9,8 @@
 #include "cli/body_parameters.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/new_case_options.h"
+#include "core/parameter_value.h"
 
 namespace bodkin::cli {
 namespace {
@@ -38,13 +40,15 @@ void run_case_synthesize_body(const CaseSynthesizeBodyOptions& options, const Co
                                console.progress());
   console.clear_bar();
   console.line(fmt::format("{} is ready: {}", options.folder, made.description));
-  nlohmann::ordered_json json = {{"folder", options.folder}, {"name", made.name}};
+  nlohmann::ordered_json json = {
+      {"folder", options.folder}, {"name", made.name}, {"mechanics", value_text(made.haptics.mechanics)}};
   if (const auto& path = made.procedure.path) {
     console.line(fmt::format("  path      from ({:.1f}, {:.1f}, {:.1f}) mm, {:.1f} mm long", path->entry.x(),
                              path->entry.y(), path->entry.z(), path->length()));
     json["entry_mm"] = {path->entry.x(), path->entry.y(), path->entry.z()};
     json["target_mm"] = {path->target.x(), path->target.y(), path->target.z()};
   }
+  console.line(forces_line(made.haptics.mechanics));
   console.line(fmt::format("Next: bodkin case show {0}{1}", options.folder,
                            made.procedure.path ? fmt::format(", bodkin profile {}", options.folder) : std::string()));
   console.json(json.dump());

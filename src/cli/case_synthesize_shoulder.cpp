@@ -68,10 +68,7 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
   wanted.name = options.name;
   wanted.target = target_of(options.target);
   if (!options.procedure.empty()) wanted.procedure = training::find_shipped_procedure(options.procedure).name;
-  if (!options.needle.empty()) {  // it is chosen for how it feels
-    wanted.needle = patient::parse_needle(options.needle);
-    wanted.mechanics = anatomy::Mechanics::physical;
-  }
+  if (!options.needle.empty()) wanted.needle = patient::parse_needle(options.needle);
   if (options.vary) wanted.gauge = drawn.gauge;
   if (!options.mechanics.empty() && !parse_value(options.mechanics, wanted.mechanics))
     throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
@@ -136,8 +133,7 @@ void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& conte
   add_text(*command, "--needle", options->needle,
            "GAUGE,LENGTH,TIP, such as 21,90,quincke (default: 22 gauge, 50 mm where that reaches, or else 90 mm)");
   add_text(*command, "--mechanics", options->mechanics,
-           "Where the force models have the numbers of the tissues from: tables or physical (default: physical where "
-           "--needle is given, otherwise tables)");
+           "Where the force models have the numbers of the tissues from: tables or physical (default: physical)");
   add_text(*command, "--target", options->target,
            "joint or suprascapular_nerve: where the planned needle goes (default: joint)");
   add_text(*command, "--procedure", options->procedure,

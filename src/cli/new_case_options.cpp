@@ -96,8 +96,7 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(
       command, "--mechanics", options.mechanics,
       "Where the force models have the numbers of the tissues from: tables (each model its own) or physical (one "
-      "description of each tissue, for the needle) (default: physical where --needle or --needle-gauge is given, "
-      "otherwise tables)");
+      "description of each tissue, for the needle) (default: physical)");
   add_texts(command, "--part", options.parts,
             fmt::format("An addition to the force along the needle, \"NAME SETTING=VALUE ...\", may be repeated: {}",
                         fmt::join(io::part_names, ", ")));
@@ -136,8 +135,6 @@ json new_case_request(const NewCaseOptions& options) {
     if (!parse_value(options.mechanics, mechanics))
       throw InputError(fmt::format("--mechanics is '{}'; expected tables or physical", options.mechanics));
     request["mechanics"] = options.mechanics;
-  } else if (options.needle_is_given()) {  // a needle is chosen for how it feels
-    request["mechanics"] = value_text(anatomy::Mechanics::physical);
   }
   if (!options.parts.empty()) {
     io::parse_parts(options.parts, "--part");
@@ -185,7 +182,7 @@ void make_case(const std::string& verb, const json& request, const std::string& 
   json result = json::parse(report.result);
   const std::string folder = request.at("folder");
   result["folder"] = folder;
-  result["mechanics"] = request.value("mechanics", value_text(anatomy::Mechanics::tables));
+  result["mechanics"] = request.value("mechanics", value_text(anatomy::Mechanics::physical));
   say_summary(result, console, folder);
   console.json(result.dump(-1, ' ', false, json::error_handler_t::replace));
 }

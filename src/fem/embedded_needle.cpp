@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/error.h"
+#include "core/shortest_turn.h"
 #include "fem/upper_triangular.h"
 
 namespace bodkin::fem {
@@ -137,8 +138,7 @@ Pose EmbeddedNeedle::carried_along_shaft() const noexcept {
     const double from_middle = line()[i].depth - middle;
     sum += from_middle * (from_middle * along + carried_[line()[i].index]);
   }
-  if (sum.dot(along) > least_cosine * sum.norm())
-    motion.linear() = Eigen::Quaterniond::FromTwoVectors(along, sum).toRotationMatrix();
+  if (sum.dot(along) > least_cosine * sum.norm()) motion.linear() = shortest_turn(along, sum).toRotationMatrix();
   const Vec3 place = entry_ + middle * along;
   motion.translation() = place + moved - motion.linear() * place;
   return motion;

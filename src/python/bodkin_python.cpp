@@ -14,6 +14,7 @@
 #include <pybind11/stl.h>
 
 #include "core/error.h"
+#include "core/shortest_turn.h"
 #include "io/case_folder.h"
 #include "io/force_choice.h"
 #include "simulation/haptic_tick.h"
@@ -58,8 +59,7 @@ Eigen::Matrix4d needle_pose(const Vec3& tip, const Vec3& axis) {
   if (!tip.allFinite() || !axis.allFinite() || !(axis.norm() > 0.0))
     throw InputError("the tip and the axis must be finite, and the axis not zero");
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
-  pose.topLeftCorner<3, 3>() =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis.normalized()).toRotationMatrix();
+  pose.topLeftCorner<3, 3>() = shortest_turn(Vec3::UnitZ(), axis.normalized()).toRotationMatrix();
   pose.topRightCorner<3, 1>() = tip;
   return pose;
 }

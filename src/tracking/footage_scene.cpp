@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/random.h"
+#include "core/shortest_turn.h"
 #include "imaging/png_file.h"
 #include "io/resources.h"
 
@@ -26,9 +27,8 @@ constexpr std::size_t most_picture_bytes = std::size_t{256} << 20U;
 // A pose whose third axis is `axis`, turned about it.
 Pose pointing(const Vec3& origin, const Vec3& axis, double turned) {
   Pose pose = Pose::Identity();
-  pose.linear() = (Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis.normalized()) *
-                   Eigen::AngleAxisd(turned, Vec3::UnitZ()))
-                      .toRotationMatrix();
+  pose.linear() =
+      (shortest_turn(Vec3::UnitZ(), axis.normalized()) * Eigen::AngleAxisd(turned, Vec3::UnitZ())).toRotationMatrix();
   pose.translation() = origin;
   return pose;
 }

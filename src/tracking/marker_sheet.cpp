@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/shortest_turn.h"
 #include "imaging/canvas.h"
 
 namespace bodkin::tracking {
@@ -51,7 +52,7 @@ std::vector<FlatFace> laid_flat(const MarkerBody& body) {
     if (normal.z() < 0.999) {
       const Vec3 towards = Vec3(middle.x(), middle.y(), 0.0).normalized();
       const Vec3 edge = 0.5 * body.faces.front().sheet * towards;
-      const Mat3 fold = Eigen::Quaterniond::FromTwoVectors(normal, Vec3::UnitZ()).toRotationMatrix();
+      const Mat3 fold = shortest_turn(normal, Vec3::UnitZ()).toRotationMatrix();
       middle = edge + fold * (middle - edge);
       axes = fold * axes;
     }

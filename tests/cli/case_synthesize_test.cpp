@@ -91,7 +91,7 @@ TEST_F(CaseSynthesize, the_needle_is_the_procedure_s_unless_one_is_given) {
   EXPECT_THAT(needle("--procedure epidural --vary --seed 4"), testing::EndsWith(" 90 tuohy"));
 }
 
-TEST_F(CaseSynthesize, a_needle_that_is_named_is_felt_unless_the_tables_are_asked_for) {
+TEST_F(CaseSynthesize, the_needle_is_felt_unless_the_tables_are_asked_for) {
   const auto mechanics = [&](const std::string& options) {
     const Outcome made = bodkin("-q --json case synthesize lumbar felt --overwrite --spacing 3 " + options);
     EXPECT_EQ(made.exit_code, 0) << made.errors;
@@ -100,15 +100,26 @@ TEST_F(CaseSynthesize, a_needle_that_is_named_is_felt_unless_the_tables_are_aske
     EXPECT_EQ(is_written, said == "physical") << options;
     return said;
   };
-  EXPECT_EQ(mechanics(""), "tables");
-  EXPECT_EQ(mechanics("--procedure epidural"), "tables") << "the procedure's needle is nobody's choice";
-  EXPECT_EQ(mechanics("--vary --seed 3"), "tables");
-  EXPECT_EQ(mechanics("--needle 16,90,tuohy"), "physical");
-  EXPECT_EQ(mechanics("--needle-gauge 25"), "physical");
-  EXPECT_EQ(mechanics("--needle 16,90,tuohy --mechanics tables"), "tables");
-  EXPECT_EQ(mechanics("--mechanics physical"), "physical");
+  for (const char* options : {"", "--procedure epidural", "--vary --seed 3", "--needle 16,90,tuohy",
+                              "--needle-gauge 25", "--mechanics physical"})
+    EXPECT_EQ(mechanics(options), "physical") << options;
+  for (const char* options : {"--mechanics tables", "--needle 16,90,tuohy --mechanics tables"})
+    EXPECT_EQ(mechanics(options), "tables") << options;
   EXPECT_THAT(bodkin("-q case synthesize lumbar felt --overwrite --spacing 3 --needle 16,90,tuohy").output,
               HasSubstr("forces    physical: the needle's"));
+}
+
+TEST_F(CaseSynthesize, its_device_is_strong_enough_for_the_needle) {
+  const auto peak = [&](const std::string& options) {
+    EXPECT_EQ(bodkin("-q case synthesize lumbar strong --overwrite --spacing 3 " + options).exit_code, 0);
+    const std::string text = text_of("strong/case.xml");
+    const std::string name = "peak_force_N=\"";
+    return std::stod(text.substr(text.find(name) + name.size()));
+  };
+  EXPECT_EQ(peak(""), 6.0);
+  EXPECT_EQ(peak("--procedure epidural"), 12.0) << "18G";
+  EXPECT_EQ(peak("--needle 16,90,tuohy"), 20.0);
+  EXPECT_EQ(peak("--needle 16,90,tuohy --mechanics tables"), 6.0);
 }
 
 TEST_F(CaseSynthesize, parameters_out_of_range_are_refused_and_leave_nothing) {

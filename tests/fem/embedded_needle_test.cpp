@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "core/shortest_turn.h"
 
 namespace bodkin {
 
@@ -235,7 +236,7 @@ TEST(EmbeddedNeedle, tilting_needles_give_no_work_either) {
                      -1.0 + 13.0 * swing * std::abs(std::sin(speed * 4.0 * t + phase)));
       Vec3 axis(lean * std::sin(speed * 6.0 * t), lean * std::sin(speed * 8.0 * t + phase), 1.0);
       Pose now = Pose::Identity();  // the least turn from z, so that turning is what it seems
-      now.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+      now.linear() = shortest_turn(Vec3::UnitZ(), axis).toRotationMatrix();
       now.translation() = tip;
       const EmbeddedNeedleForce force = model.step(now);
       const Eigen::AngleAxisd turn(now.linear() * last.linear().transpose());

@@ -8,6 +8,7 @@
 #include "tests/simulation/real_time_guard.h"
 #include <gtest/gtest.h>
 
+#include "core/shortest_turn.h"
 #include "fem/embedded_needle.h"
 
 namespace bodkin {
@@ -65,7 +66,7 @@ double closed_way(const NeedleBeam& beam, const ContactTissues& tissues, std::ui
                    -1.0 + 13.0 * swing * std::abs(std::sin(speed * 4.0 * t + phase)));
     const Vec3 axis(lean * std::sin(speed * 6.0 * t), lean * std::sin(speed * 8.0 * t + phase), 1.0);
     Pose now = Pose::Identity();
-    now.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+    now.linear() = shortest_turn(Vec3::UnitZ(), axis).toRotationMatrix();
     now.translation() = tip;
     const EmbeddedNeedleForce force = model.step(now);
     const Eigen::AngleAxisd turn(now.linear() * last.linear().transpose());

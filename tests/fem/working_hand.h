@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/shortest_turn.h"
 #include "fem/embedded_needle.h"
 
 namespace bodkin::checks {
@@ -67,7 +68,7 @@ class WorkingHand {
   Pose pose_at(const Vec3& place, const Eigen::Vector2d& lean) const {
     Pose pose = Pose::Identity();
     const Vec3 axis(lean.x(), lean.y(), 1.0);
-    pose.linear() = frame_ * Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix() *
+    pose.linear() = frame_ * shortest_turn(Vec3::UnitZ(), axis).toRotationMatrix() *
                     Eigen::AngleAxisd(rolled_, Vec3::UnitZ()).toRotationMatrix();
     pose.translation() = entry_ + frame_ * place;
     return pose;

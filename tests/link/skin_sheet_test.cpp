@@ -6,12 +6,14 @@
 #include "tests/session/slab_case.h"
 #include <gtest/gtest.h>
 
+#include "core/shortest_turn.h"
+
 namespace bodkin::link {
 namespace {
 
 Pose needle_at(const Vec3& tip, const Vec3& along) {
   Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), along).toRotationMatrix();
+  pose.linear() = shortest_turn(Vec3::UnitZ(), along).toRotationMatrix();
   pose.translation() = tip;
   return pose;
 }

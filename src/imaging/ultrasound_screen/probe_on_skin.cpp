@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/shortest_turn.h"
 #include "imaging/ultrasound_screen/skin.h"
 
 namespace bodkin::imaging {
@@ -41,7 +42,7 @@ bool ProbeOnSkin::slide(const anatomy::TissueVolume& tissues, double along, doub
     pose_.translation() += shift;
     return true;
   }
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(outward_, skin->outward);
+  const Eigen::Quaterniond turn = shortest_turn(outward_, skin->outward);
   // A step that would turn the probe over has come to another side of something thin.
   if (outward_.dot(skin->outward) < 0.0) return false;
   pose_.linear() = Eigen::Quaterniond(turn * Eigen::Quaterniond(pose_.linear())).normalized().toRotationMatrix();

@@ -46,6 +46,7 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
   description.needle.inner_diameter = 0.0;
   description.needle.tip = anatomy::NeedleTip::filiform;
   description.needle.length = short_needle;
+  description.haptics.mechanics = anatomy::Mechanics::physical;
   if (point != nullptr) {
     block.middle = point->place;
     const anatomy::NeedlePath path = atlas.path(*point);

@@ -14,6 +14,7 @@
 #include "patient/synthetic/calcification.h"
 #include <fmt/format.h>
 
+#include "anatomy/generic_device.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "io/case_folder.h"
@@ -252,6 +253,7 @@ CaseSummary build_imported_case(const NewCase& wanted, const ImportOptions& opti
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
+  description.device = anatomy::generic_device(description.needle, wanted.mechanics);
   description.haptics.parts = wanted.parts;
   description.haptics.force_in_organs = wanted.force_in_organs;
   require_path(wanted.path);
@@ -323,6 +325,7 @@ CaseSummary build_synthetic_case(const NewCase& wanted, const LumbarParameters& 
   anatomy::CaseDescription description;
   description.needle = wanted.needle.empty() ? needle_of(wanted.needle_gauge) : parse_needle(wanted.needle);
   description.haptics.mechanics = wanted.mechanics;
+  description.device = anatomy::generic_device(description.needle, wanted.mechanics);
   description.haptics.parts = wanted.parts;
   description.haptics.force_in_organs = wanted.force_in_organs;
   require_path(wanted.path);

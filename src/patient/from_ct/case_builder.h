@@ -20,8 +20,8 @@ struct NewCase {
   std::string name;              // of the patient; empty = the folder's name
   int needle_gauge = 22;
   std::string needle;  // "18,90,tuohy", see parse_needle; overrides needle_gauge; empty = only the gauge is said
-  anatomy::Mechanics mechanics = anatomy::Mechanics::tables;  // of the new case
-  anatomy::ForceParts parts;                                  // the same
+  anatomy::Mechanics mechanics = anatomy::Mechanics::physical;  // of the new case
+  anatomy::ForceParts parts;                                    // the same
   anatomy::ForceInOrgans force_in_organs = anatomy::ForceInOrgans::felt;
   std::string procedure;      // name of what is practised; empty: a lumbar puncture where there is a lumbar spine
   std::string target_tissue;  // tissue whose entry is its aim; only with `procedure`; empty = the target point counts

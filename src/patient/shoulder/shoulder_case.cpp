@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "anatomy/generic_device.h"
 #include "core/error.h"
 #include "io/case_folder.h"
 #include "io/deferred_termination.h"
@@ -51,6 +52,7 @@ anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const P
     description.needle.inner_diameter = size->inner_diameter;
     description.needle.length = made.path.length() + stays_outside > short_needle ? long_needle : short_needle;
   }
+  description.device = anatomy::generic_device(description.needle, wanted.mechanics);
   progress("writing the case", 0.0);
   io::write_case(description, made.ct, made.tissues, made.structures, &library, folder.path());
   progress("writing the case", 0.99);

@@ -19,7 +19,7 @@ struct ShoulderCase {
   std::string procedure;                  // empty: joint_injection, or ultrasound_guided_nerve_block at the nerve
   std::optional<anatomy::Needle> needle;  // none: of `gauge`, 50 mm long where that reaches, or else 90 mm
   int gauge = 22;
-  anatomy::Mechanics mechanics = anatomy::Mechanics::tables;
+  anatomy::Mechanics mechanics = anatomy::Mechanics::physical;
   ShoulderParameters shoulder;
 };
 

@@ -1,0 +1,30 @@
+#include "anatomy/generic_device.h"
+
+#include <array>
+
+namespace bodkin::anatomy {
+namespace {
+
+struct Step {
+  int gauge;                // of the thinnest needle that it is for
+  double peak, continuous;  // N
+};
+
+// The thickest first. Thinner needles have the device that nothing is said of.
+constexpr std::array<Step, 2> for_thick_needles = {{{17, 20.0, 7.0}, {19, 12.0, 4.0}}};
+
+}  // namespace
+
+DeviceLimits generic_device(const Needle& needle, Mechanics mechanics) {
+  DeviceLimits device;
+  if (mechanics == Mechanics::tables) return device;
+  for (const Step& step : for_thick_needles) {
+    if (needle.outer_diameter < gauge_size(step.gauge)->outer_diameter) continue;
+    device.peak_force = step.peak;
+    device.continuous_force = step.continuous;
+    break;
+  }
+  return device;
+}
+
+}  // namespace bodkin::anatomy
