@@ -10,7 +10,6 @@
 
 #include "anatomy/case.h"
 #include "core/parameter.h"
-#include "forces/needle_law.h"
 
 namespace bodkin::forces {
 
@@ -20,13 +19,11 @@ struct ModelSettings {
   std::vector<anatomy::TissueProperties> tissues;
 };
 
-// As the case feels: what is changed are the models' own numbers, so those of a physical description are taken over
-// as such.
-inline ModelSettings model_settings(const anatomy::Case& patient) {
-  ModelSettings settings{patient.description.haptics, felt_tissues(patient).tissues()};
-  settings.haptics.mechanics = anatomy::Mechanics::tables;
-  return settings;
-}
+// As the case feels. What a person changes are the models' own numbers: with mechanics="physical" those that follow
+// from the description for the case's needle stand in place of the description, which would be derived again.
+ModelSettings model_settings(const anatomy::Case& patient);
+// The same, had the case these tissues; those that the library lacks stay as they are.
+ModelSettings model_settings(const anatomy::CaseDescription& description, const anatomy::TissueLibrary& library);
 
 // Which struct of them a parameter stands in. From `relaxation` on: what a case adds to its resistance.
 enum class ModelPart : std::uint8_t {

@@ -19,9 +19,10 @@ constexpr double least_change = 0.2;   // mm on the way out before a change of t
 
 TipInLayers::TipInLayers(const anatomy::Case& patient, bool passes_layers)
     : tissues_(patient.tissues), passes_layers_(passes_layers) {
-  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
-    strength_[tissue.id] = forces::puncture_force(tissue.physical, patient.description.needle);
+  const anatomy::TissueLibrary felt = forces::felt_tissues(patient);
+  for (const anatomy::TissueProperties& tissue : felt.tissues()) {
     rigid_[tissue.id] = tissue.layered.kind == anatomy::LayeredKind::rigid;
+    if (!rigid_[tissue.id]) strength_[tissue.id] = tissue.deformable.puncture_force;
   }
 }
 

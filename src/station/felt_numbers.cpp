@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "forces/needle_law.h"
+#include "forces/model_settings.h"
 #include "simulation/contact_settings.h"
 
 namespace bodkin::station {
@@ -128,7 +128,7 @@ simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::T
 void FeltNumbers::order(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues,
                         Note note) {
   if (body_ != nullptr &&
-      !simulation::differ_in_contact_alone(patient_->description.haptics, forces::felt_tissues(*patient_).tissues(),
+      !simulation::differ_in_contact_alone(patient_->description.haptics, forces::model_settings(*patient_).tissues,
                                            haptics, tissues)) {
     throw InputError(
         "the deformable body has such numbers from the next attempt on, for it is prepared with them; its capture "

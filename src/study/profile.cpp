@@ -79,12 +79,17 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
     return DeformedMoment{body == nullptr ? fem::NodeForces{} : body->node_forces(), needle, ahead.norm(),
                           record.output.depth, record.output.resistance};
   };
+  const anatomy::TissueProperties* bone = nullptr;  // that the tip touches
   const auto tick = [&](double place) -> const simulation::TickOutput& {
     simulation::TickRecord record;
     record.tick = profile.ticks.size();
     record.input.needle = line.needle_at(place);
     record.output = haptics.step(record.input);
     if (record.output.resistance > profile.strongest.resistance) profile.strongest = moment(record);
+    for (const forces::Event& event : record.output.events) {
+      if (event.kind == forces::EventKind::bone_contact) bone = patient.library.find(event.tissue);
+      if (event.kind == forces::EventKind::bone_left) bone = nullptr;
+    }
     profile.ticks.push_back(record);
     if (progress && record.tick % 2048 == 0) {
       progress("Inserting the needle",
@@ -95,11 +100,12 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
 
   tick(line.start);
   double here = line.start, deepest = line.start, end = line.end;
-  // Whether bone pushes back with more than the device can show.
+  // Whether bone pushes back with more than the device can show. In the deformed material the tip that bone holds up
+  // is still in the tissue before it, which it pushes along.
   const auto stopped_by_bone = [&](const simulation::TickOutput& output) {
     const anatomy::TissueProperties* properties = patient.library.find(output.tissue);
-    const bool in_bone = properties != nullptr && properties->layered.kind == anatomy::LayeredKind::rigid;
-    if (!in_bone || !(output.resistance > peak_force)) return false;
+    if (properties == nullptr || properties->layered.kind != anatomy::LayeredKind::rigid) properties = bone;
+    if (properties == nullptr || !(output.resistance > peak_force)) return false;
     if (profile.stopped_by_bone) return true;
     profile.stopped_by_bone = output.depth;
     profile.outcome = fmt::format(

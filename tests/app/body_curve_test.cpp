@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include "app/hand/aim.h"
@@ -97,8 +98,9 @@ TEST_F(BodyCurve, is_drawn_in_the_window_and_follows_the_numbers) {
   find<QDoubleSpinBox>("models.value")->setValue(0.2);
   EXPECT_NEAR(strongest(before), inserted([](anatomy::Case& patient) {
                 std::vector<anatomy::TissueProperties> tissues = patient.library.tissues();
-                for (auto& tissue : tissues)
-                  if (tissue.id == anatomy::tissue::fat) tissue.deformable.friction = 0.2;
+                for (auto& tissue : tissues)  // by the description that the case has
+                  if (tissue.id == anatomy::tissue::fat)
+                    tissue.physical.friction = 0.2 / (std::numbers::pi * patient.description.needle.outer_diameter);
                 patient.library = anatomy::TissueLibrary(tissues);
               }),
               0.006);

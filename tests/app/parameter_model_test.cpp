@@ -224,6 +224,26 @@ TEST(ParameterModel, saved_tissues_come_back_from_their_file) {
   EXPECT_THROW(other.load(file), InputError);
 }
 
+// Where the forces follow from the needle, the steps begin with what the needle feels, and act.
+TEST(ParameterModel, of_a_described_patient_has_the_numbers_of_his_needle) {
+  const auto patient = std::make_shared<OpenCase>(*layered_patient());
+  patient->patient.description.haptics.mechanics = anatomy::Mechanics::physical;
+  patient->patient.description.needle.outer_diameter = 1.27;
+  ParameterModel model(patient);
+  const std::size_t give = step_called(model, "Skin: break force");
+  const double force = model.value(give);
+  const anatomy::TissueProperties& skin = *patient->patient.library.find(anatomy::tissue::skin);
+  EXPECT_NEAR(force, skin.physical.puncture_force * 1.27 / skin.physical.reference_diameter, 1e-9);
+  anatomy::Case part = patient->patient;
+  for (const double wanted : {force, 0.5 * force}) {
+    model.set(give, wanted);
+    EXPECT_NEAR(force_curve(part, model.now()).first_give.value_or(0.0), wanted, 0.1);
+  }
+  model.take(io::default_tissue_library(), false);
+  EXPECT_NEAR(model.value(give), force, 1e-12) << "the library describes tissues, not this needle";
+  EXPECT_FALSE(model.is_changed());
+}
+
 TEST(ForceCurve, gives_way_at_the_break_force_that_was_set) {
   const std::shared_ptr<const OpenCase> patient = layered_patient();
   anatomy::Case part = patient->patient;

@@ -60,10 +60,10 @@ TEST_F(CompareCommand, takes_names_and_a_motion_and_tells_in_json) {
 TEST_F(CompareCommand, is_of_one_description_of_each_tissue_unless_the_tables_are_asked_for) {
   const fs::path of_tables = folder_ / "of_tables";
   fs::copy(patient(), of_tables, fs::copy_options::recursive);
-  std::string text = content_of(of_tables / "case.xml");
+  std::string xml = content_of(of_tables / "case.xml");
   const std::string physical = "mechanics=\"physical\"";
-  ASSERT_NE(text.find(physical), std::string::npos);
-  write("of_tables/case.xml", text.replace(text.find(physical), physical.size(), "mechanics=\"tables\""));
+  ASSERT_NE(xml.find(physical), std::string::npos);
+  write("of_tables/case.xml", xml.replace(xml.find(physical), physical.size(), "mechanics=\"tables\""));
   const std::string base = (folder_ / "mechanics").string();
   const std::string command =
       "compare of_tables --models layered,tracking_wall --speed 20 --no-reinsert --pause 0.1 -o " + base;

@@ -105,6 +105,15 @@ int found_by(const anatomy::Case& patient, const Whole& whole, const std::string
   return static_cast<int>(std::ranges::count_if(attempts, &Attempt::found));
 }
 
+anatomy::Case deformable(const std::filesystem::path& folder, anatomy::Mechanics mechanics, Whole& whole) {
+  anatomy::Case patient = io::load_case(folder);
+  patient.description.haptics.mechanics = mechanics;
+  patient.description.haptics.resistance =
+      anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
+  patient::prepare_body(patient, folder, {}, {}, {}, &whole);
+  return patient;
+}
+
 TEST_F(EpiduralSpace, each_layer_gives_way_by_itself_at_its_force) {
   // The forces of the tables; the physical description's for a 22G quincke needle (docs/needle-forces.md).
   const std::vector<std::pair<std::string, std::vector<double>>> expected = {{"tables", {1.5, 4.7, 0.9}},
@@ -131,14 +140,24 @@ TEST_F(EpiduralSpace, each_layer_gives_way_by_itself_at_its_force) {
 }
 
 TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_and_novices_mostly_do_not) {
-  anatomy::Case patient = io::load_case(folder_ / "patient");
-  patient.description.haptics.resistance =
-      anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
   Whole whole;
-  patient::prepare_body(patient, folder_ / "patient", {}, {}, {}, &whole);
+  const anatomy::Case patient = deformable(folder_ / "patient", anatomy::Mechanics::tables, whole);
   EXPECT_GE(found_by(patient, whole, "expert"), nearly_all);
   EXPECT_GE(found_by(patient, whole, "expert_epidural"), nearly_all);
   EXPECT_LT(found_by(patient, whole, "novice"), seeds / 2);
+}
+
+// The tip of a thin needle is still in the ligament when that gives way: this is of the needle that the procedure
+// takes.
+TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_with_the_needle_of_an_epidural) {
+  for (const char* command : {"-q case synthesize lumbar epidural --procedure epidural", "-q case mesh epidural"}) {
+    const Outcome made = bodkin(command);
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+  }
+  Whole whole;
+  const anatomy::Case patient = deformable(folder_ / "epidural", anatomy::Mechanics::physical, whole);
+  EXPECT_EQ(patient.description.needle.gauge, 18);
+  EXPECT_GE(found_by(patient, whole, "expert_epidural"), nearly_all);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ class NeedleWork : public MeshedPatient {
   // The points of its planned line, with these needles left in the body.
   static anatomy::Case patient_with(const std::vector<anatomy::NeedlePath>& left) {
     anatomy::Case patient = io::load_case(folder_ / "patient");
+    patient.description.haptics.mechanics = anatomy::Mechanics::tables;
     patient.description.haptics.resistance =
         anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
     patient.left_needles = left;

@@ -6,6 +6,7 @@
 #include "tests/simulation/model_pairs.h"
 #include <gtest/gtest.h>
 
+#include "forces/model_settings.h"
 #include "forces/needle_law.h"
 #include "simulation/haptic_tick.h"
 #include "simulation/needle_bow.h"
@@ -100,6 +101,26 @@ TEST(PhysicalMechanics, every_model_that_knows_layers_tells_the_same_events_in_t
                                               tissue::interspinous_ligament, tissue::ligamentum_flavum,
                                               tissue::epidural_fat, tissue::dura, tissue::cerebrospinal_fluid}))
         << name;
+  }
+}
+
+// A person who changes numbers begins with these.
+TEST(PhysicalMechanics, the_numbers_that_follow_from_the_description_feel_as_the_description_does) {
+  for (const ResistanceSettings& resistance : std::vector<ResistanceSettings>{
+           LayeredSettings{}, TrackingWallSettings{}, wall_on_leash(), DepthProfileSettings{}, VolumeProxySettings{},
+           ThreeComponentSettings{}, ShaftFrictionSettings{}, FractureSettings{}}) {
+    Case patient = described_spine(resistance);
+    patient.description.needle = {
+        .gauge = 18, .outer_diameter = 1.27, .inner_diameter = 0.838, .tip = NeedleTip::tuohy};
+    const PushedIn described = pushed_through(patient, 55.0);
+    const ModelSettings settings = model_settings(patient);
+    patient.description.haptics = settings.haptics;
+    patient.library = TissueLibrary(settings.tissues);
+    const PushedIn numbers = pushed_through(patient, 55.0);
+    const std::string name(name_of(resistance));
+    EXPECT_EQ(numbers.resistance, described.resistance) << name;
+    EXPECT_EQ(numbers.tissue, described.tissue) << name;
+    EXPECT_EQ(numbers.told(EventKind::puncture), described.told(EventKind::puncture)) << name;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "forces/model_settings.h"
 #include "haptics/drivers/simulated.h"
 
 namespace bodkin {
@@ -86,7 +87,7 @@ class FeltNumbersTest : public ::testing::Test {
   }
   // The patient's tissues with a stiffer muscle and a skin that grips so many times as much.
   std::vector<TissueProperties> tissues(double times) const {
-    std::vector<TissueProperties> all = patient_.library.tissues();
+    std::vector<TissueProperties> all = forces::model_settings(patient_).tissues;
     for (TissueProperties& one : all) {
       if (one.id == tissue::muscle) one.layered.stiffness *= times;
       if (one.id != tissue::skin) continue;
@@ -151,6 +152,11 @@ TEST_F(FeltNumbersTest, are_felt_so_while_the_patient_breathes) {
   breathing.rate = 37.0;
   breathing.motion = Vec3(4.0, 0.0, 0.5);
   breathing.centre = patient_.description.procedure.path->target;
+  expect_that_changes_are_felt_and_replay();
+}
+
+TEST_F(FeltNumbersTest, are_felt_so_where_the_forces_follow_from_the_needle) {
+  patient_.description.haptics.mechanics = anatomy::Mechanics::physical;
   expect_that_changes_are_felt_and_replay();
 }
 

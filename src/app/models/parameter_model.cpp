@@ -187,7 +187,9 @@ void ParameterModel::choose_model(std::string_view name) {
     now_.haptics.resistance = reference_.haptics.resistance;
     give_own_parts(now_.haptics.parts, reference_.haptics.parts);
   } else {
-    now_.haptics.resistance = std::move(chosen);
+    anatomy::CaseDescription with = patient_->patient.description;
+    with.haptics.resistance = std::move(chosen);
+    now_.haptics.resistance = forces::model_settings(with, patient_->patient.library).haptics.resistance;
     give_own_parts(now_.haptics.parts, {});
   }
   find_steps();
@@ -333,9 +335,14 @@ void ParameterModel::load(const std::filesystem::path& file) {
 }
 
 void ParameterModel::take(const anatomy::TissueLibrary& library, bool continues) {
+  // With a physical description as the needle feels it, as all numbers here.
+  const std::vector<anatomy::TissueProperties> felt =
+      forces::model_settings(patient_->patient.description, library).tissues;
   remember(continues);
   for (anatomy::TissueProperties& tissue : now_.tissues) {
-    if (const anatomy::TissueProperties* const loaded = library.find(tissue.id)) tissue = *loaded;
+    const auto loaded =
+        std::find_if(felt.begin(), felt.end(), [&](const auto& each) { return each.id == tissue.id; });
+    if (loaded != felt.end()) tissue = *loaded;
   }
   find_steps();
 }
