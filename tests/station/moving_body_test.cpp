@@ -165,22 +165,23 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
   EXPECT_EQ(same.body_difference, "");
   ASSERT_GT(session.body_taken.size(), 10U);
 
-  Session altered = session;
-  const std::size_t middle = session.body_taken[session.body_taken.size() / 2].step;
-  ASSERT_TRUE(altered.body_steps[middle - 1].probe.has_value());
-  altered.body_steps[middle - 1].probe->translation().y() -= 0.5;
-  const ReplayResult pressed_deeper = replay_session(altered, block.patient, {}, body);
-  EXPECT_TRUE(pressed_deeper.difference.has_value());
-  EXPECT_THAT(pressed_deeper.body_difference, HasSubstr("step " + std::to_string(middle)));
-
-  altered = session;
+  // The first body that the needle takes once it is in as far as it resists most: a change of it is felt.
   const auto deepest = std::max_element(
       session.ticks.begin(), session.ticks.end(),
       [](const TickRecord& a, const TickRecord& b) { return a.output.resistance < b.output.resistance; });
-  const auto inside = std::find_if(altered.body_taken.begin(), altered.body_taken.end(),
+  const auto inside = std::find_if(session.body_taken.begin(), session.body_taken.end(),
                                    [&](const BodyTaken& taken) { return taken.tick >= deepest->tick; });
-  ASSERT_NE(inside, altered.body_taken.end());
-  inside->tick += 1;
+  ASSERT_NE(inside, session.body_taken.end());
+
+  Session altered = session;
+  ASSERT_TRUE(altered.body_steps[inside->step - 1].probe.has_value());
+  altered.body_steps[inside->step - 1].probe->translation().y() -= 0.5;
+  const ReplayResult pressed_deeper = replay_session(altered, block.patient, {}, body);
+  EXPECT_TRUE(pressed_deeper.difference.has_value());
+  EXPECT_THAT(pressed_deeper.body_difference, HasSubstr("step " + std::to_string(inside->step)));
+
+  altered = session;
+  altered.body_taken[static_cast<std::size_t>(inside - session.body_taken.begin())].tick += 1;
   EXPECT_TRUE(replay_session(altered, block.patient, {}, body).difference.has_value()) << "met one tick later";
 
   EXPECT_THAT(refusal_of_replay(session, block, nullptr), HasSubstr("no deformable body"));
