@@ -14,8 +14,6 @@
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
 #include "cli/terminal_keys.h"
-#include "training/planning_rules.h"
-#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 
@@ -39,10 +37,7 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
   PerformScreen screen(console, options.longest);
-  const training::Procedure procedure = training::procedure_of_case(options.patient.description.procedure.name);
-  screen.end_at(training::completing_tissue(procedure));
-  const std::optional<anatomy::NeedlePath>& plan = options.patient.description.procedure.path;
-  screen.end_with({procedure, options.patient, plan ? std::optional(plan->target) : std::nullopt});
+  screen.end_as_practised(options.patient);
   station::Station station(std::move(options), screen);
   station::StationResult result = run_with_keys(station, screen);
   console.clear_bar();

@@ -9,6 +9,8 @@
 
 #include "anatomy/breathing.h"
 #include "cli/terminal_keys.h"
+#include "training/planning_rules.h"
+#include "training/procedure_file.h"
 
 namespace bodkin::cli {
 
@@ -67,6 +69,13 @@ PerformScreen::PerformScreen(Console& console, double longest)
 void PerformScreen::note(const std::string& sentence) {
   console_.clear_bar();
   console_.note(sentence);
+}
+
+void PerformScreen::end_as_practised(const anatomy::Case& patient) {
+  const training::Procedure procedure = training::procedure_of_case(patient.description.procedure.name);
+  ending_ = training::completing_tissue(procedure);
+  const std::optional<anatomy::NeedlePath>& plan = patient.description.procedure.path;
+  taken_out_ = {procedure, patient, plan ? std::optional(plan->target) : std::nullopt};
 }
 
 void PerformScreen::follow_completion(station::Station& station, const station::StationStatus& status) {

@@ -22,12 +22,9 @@ class PerformScreen : public station::StationObserver {
   // Single keys from the terminal are commands while `keys` lives; may be null.
   void listen_to(TerminalKeys* keys) noexcept { keys_ = keys; }
 
-  // The session ends when the tip touches this tissue after the skin has given way ("mass" in a biopsy); empty: a
-  // person ends it.
-  void end_at(std::string tissue) { ending_ = std::move(tissue); }
-
-  // It also ends when its needle was taken out, as `watch` has it.
-  void end_with(training::TakenOut watch) { taken_out_ = std::move(watch); }
+  // The session ends as the patient's procedure has it: in a biopsy when the tip touches the mass, otherwise when the
+  // needle was taken out. Without this call a person ends it.
+  void end_as_practised(const anatomy::Case& patient);
 
   Progress progress() override { return console_.progress(); }
   void note(const std::string& sentence) override;
@@ -40,7 +37,7 @@ class PerformScreen : public station::StationObserver {
   Console& console_;
   Progress line_;  // of the terminal
   double longest_;
-  std::string ending_;  // name of a tissue
+  std::string ending_;  // name of the tissue at which it ends, touched after the skin has given way; may be empty
   station::PunctureWatch contact_;
   training::TakenOut taken_out_;
   bool has_ended_ = false;  // by itself

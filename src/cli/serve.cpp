@@ -126,6 +126,7 @@ Served serve_session(const PerformOptions& perform, const std::optional<forces::
   }
   if (!perform.ultrasound.empty()) options.ultrasound = station::choose_ultrasound(pane_request(perform.ultrasound));
   PerformScreen screen(console, options.longest);
+  screen.end_as_practised(options.patient);
   link::SessionFeed feed(server, screen, options.ultrasound, rate, steps_of(options.patient), models);
   station::Station station(std::move(options), feed);
   station::StationResult result;

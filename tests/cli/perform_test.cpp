@@ -56,6 +56,9 @@ TEST_F(PerformCommand, a_needle_that_is_taken_out_ends_an_acupuncture_and_no_pun
                                  [](const auto& tick) { return tick.output.in_contact; });
   const double outside = static_cast<double>(left - session.ticks.rbegin()) * session.header.dt;
   EXPECT_NEAR(outside, 5.0, 0.4) << "s";
+  const Outcome served = bodkin("serve needled --port 0" + hand + "served.bodkin");
+  EXPECT_EQ(served.exit_code, 0) << served.text();
+  EXPECT_THAT(served.text(), HasSubstr("the needle was taken out: the attempt is complete"));
 
   const Outcome missed = bodkin("perform patient" + hand + "missed.bodkin");
   ASSERT_EQ(missed.exit_code, 0) << missed.text();
