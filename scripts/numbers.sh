@@ -36,6 +36,8 @@ names() {
   cat << 'NAMES'
 tick_bench:lumbar_single_tick tick on the synthetic lumbar patient, `layered`, tissue look-up and clock included
 tick_bench:lumbar_batch tick on the synthetic lumbar patient, without reading the clock
+tick_bench:described_lumbar_single_tick tick on the same patient with forces that follow from the needle, clock included
+tick_bench:described_lumbar_batch tick with forces that follow from the needle, without reading the clock
 tick_bench:slabs_single_tick tick through 17 layers of skin, fat and muscle, clock included
 tick_bench:slabs_batch tick through 17 layers, without reading the clock
 models_bench:all_models_together one tick of all models together
