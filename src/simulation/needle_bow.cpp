@@ -13,6 +13,7 @@ constexpr double effective_share = 0.7;       // of the free length: clamped at 
 constexpr double shortest_outside = 1.0;      // mm; less does not buckle
 constexpr double straightening_speed = 50.0;  // mm/s
 constexpr double least_bow = 0.2;             // mm, that is an event
+constexpr double surely_less = 0.999;         // whatever the rounding of a product in place of a quotient
 
 }  // namespace
 
@@ -20,12 +21,13 @@ NeedleBow::NeedleBow(const anatomy::Case& patient, double dt)
     : rigid_(patient.description.haptics.mechanics != anatomy::Mechanics::physical),
       length_(patient.description.needle.length),
       stiffness_(anatomy::bending_stiffness(patient.description.needle)),
+      of_clamped_(std::numbers::pi * std::numbers::pi * stiffness_),
       straightening_(straightening_speed * dt) {
   for (const anatomy::TissueProperties& tissue : patient.library.tissues()) young_[tissue.id] = tissue.physical.young;
 }
 
 void NeedleBow::begin() noexcept {
-  softest_ = hand_ = tip_ = bow_ = last_ = 0.0;
+  softest_ = on_support_ = hand_ = tip_ = bow_ = last_ = 0.0;
   fresh_ = true;
   over_ = false;
 }
@@ -35,10 +37,16 @@ double NeedleBow::strength() const noexcept {
   double least = std::numeric_limits<double>::infinity();
   if (outside > shortest_outside) {
     const double held = effective_share * outside;
-    least = std::numbers::pi * std::numbers::pi * stiffness_ / (held * held);
+    least = of_clamped_ / (held * held);
   }
-  if (softest_ > 0.0) least = std::min(least, 2.0 * std::sqrt(softest_ * stiffness_));
+  if (softest_ > 0.0) least = std::min(least, on_support_);
   return least;
+}
+
+bool NeedleBow::bows_under(double force) const noexcept {
+  const double held = effective_share * (length_ - tip_);
+  if (force * held * held < surely_less * of_clamped_ && (softest_ == 0.0 || force < on_support_)) return false;
+  return force >= strength();
 }
 
 AxialMotion NeedleBow::tip_motion(const AxialMotion& hand) noexcept {
@@ -46,11 +54,12 @@ AxialMotion NeedleBow::tip_motion(const AxialMotion& hand) noexcept {
   const double advance = fresh_ ? 0.0 : hand.depth - hand_;
   hand_ = hand.depth;
   fresh_ = false;
-  if (last_ >= strength() && advance > 0.0) {
+  const bool bows = bows_under(last_);
+  if (bows && advance > 0.0) {
     bow_ += advance;
   } else if (bow_ > 0.0) {
     bow_ = std::max(0.0, bow_ + std::min(0.0, advance));
-    if (last_ < strength()) bow_ = std::max(0.0, bow_ - straightening_);
+    if (!bows) bow_ = std::max(0.0, bow_ - straightening_);
   }
   AxialMotion tip = hand;
   tip.depth = hand.depth - bow_;
@@ -61,15 +70,17 @@ AxialMotion NeedleBow::tip_motion(const AxialMotion& hand) noexcept {
 
 double NeedleBow::limited(double resistance, anatomy::TissueId tissue, forces::TickEvents& events) noexcept {
   if (rigid_) return resistance;
-  if (const double here = young_[tissue]; here > 0.0 && tip_ > 0.0)
-    softest_ = softest_ > 0.0 ? std::min(softest_, here) : here;
+  if (const double here = young_[tissue]; here > 0.0 && tip_ > 0.0 && (softest_ == 0.0 || here < softest_)) {
+    softest_ = here;
+    on_support_ = 2.0 * std::sqrt(softest_ * stiffness_);
+  }
   last_ = resistance;
+  if (bow_ == 0.0) over_ = false;
+  if (bow_ == 0.0 && !bows_under(resistance)) return resistance;
   const double most = strength();
   if (!over_ && bow_ > least_bow) {
     over_ = true;
     events.push({forces::EventKind::needle_buckled, tissue, tip_, most});
-  } else if (bow_ == 0.0) {
-    over_ = false;
   }
   return std::min(resistance, most);
 }

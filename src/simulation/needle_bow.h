@@ -31,12 +31,16 @@ class NeedleBow {
   double bow() const noexcept { return bow_; }
 
  private:
-  double strength() const noexcept;
+  double strength() const noexcept;  // N, P
+  // Whether a force is P or more; of most the answer takes no quotient.
+  bool bows_under(double force) const noexcept;
 
   bool rigid_;
-  double length_, stiffness_, straightening_;  // mm, N mm^2, mm per tick
+  double length_, stiffness_, of_clamped_;     // mm; N mm^2, E I; pi^2 E I
+  double straightening_;                       // mm per tick
   std::array<double, 256> young_{};            // MPa, 256, by TissueId; 0: not known
   double softest_ = 0.0;                       // MPa, of the tissues passed
+  double on_support_ = 0.0;                    // N, P_in of them; nothing where softest_ is 0
   double hand_ = 0.0, tip_ = 0.0, bow_ = 0.0;  // mm
   double last_ = 0.0;                          // N, of the last tick
   bool fresh_ = true, over_ = false;
