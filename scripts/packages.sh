@@ -19,7 +19,7 @@ packages_of_app=(
 
 packages_to_test=(
   git libgtest-dev libgmock-dev libbenchmark-dev doxygen
-  clang clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
+  clang clang-format clang-tidy libclang-rt-14-dev lld llvm libxml2-utils poppler-utils
   xvfb xauth xdotool imagemagick
   libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
   postgresql curl chromium-headless-shell
