@@ -117,13 +117,13 @@ TEST(SimulatedAttempt, the_expert_finds_the_epidural_space_where_the_device_is_s
   }
 }
 
-// The table was made by `bodkin cohort` on the patient with voxels of 1 mm; here they are 1.5 mm.
+// The table was made by `bodkin cohort` on this patient.
 TEST(SimulatedAttempt, the_experts_that_come_with_bodkin_are_like_those_that_it_makes_now) {
   const auto experts = ExpertSet::shipped("lumbar_puncture");
   ASSERT_TRUE(experts.has_value());
   EXPECT_EQ(experts->size(), 60U);
-  Case patient = lumbar_patient();
-  patient.description.haptics.mechanics = Mechanics::physical;  // as every new patient
+  Case patient = lumbar_patient_of(1.0);
+  patient.description.haptics.mechanics = Mechanics::physical;
   for (std::uint64_t seed = 101; seed <= 104; ++seed) {
     const Score result = attempt_score("expert", seed, patient);
     for (const char* metric : {"deepest_mm", "path_length_mm", "peak_force_N", "time_in_body_s", "tremor_mm"}) {
