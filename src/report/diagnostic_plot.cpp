@@ -43,6 +43,7 @@ std::vector<Plot> diagnostics_against_depth(std::span<const simulation::TickReco
       plot->x_label = "depth along the needle's line, mm";
       plot->y_label = label;
       plot->height = plot_height;
+      plot->names_one = true;
     }
     PlotSeries series{.name = diagnostics[i].title,
                       .colour = diagnostic_colours[plot->series.size() % diagnostic_colours.size()],

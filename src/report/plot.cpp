@@ -182,7 +182,8 @@ class PlotArtist {
     canvas_.set_size(width, height_);
   }
 
-  // There is a key when more than one series or range has a name. Its columns are as wide as the longest name.
+  // There is a key when more than one series or range has a name, or the plot names a single one. Its columns are as
+  // wide as the longest name.
   void measure_key() {
     double longest = 0.0;
     const auto name = [&](const KeyEntry& entry) {
@@ -192,7 +193,7 @@ class PlotArtist {
     };
     for (const PlotRange& range : plot_.ranges) name({range.name, range.colour, nullptr});
     for (const PlotSeries& series : plot_.series) name({series.name, series.colour, &series});
-    if (named_.size() < 2) return named_.clear();
+    if (named_.size() < (plot_.names_one ? 1 : 2)) return named_.clear();
     key_column_ = key_sample + 24.0 + longest;
     key_columns_ = std::max<std::size_t>(1, static_cast<std::size_t>((width - left_margin) / key_column_));
     key_columns_ = std::min(key_columns_, named_.size());

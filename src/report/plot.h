@@ -61,6 +61,7 @@ struct Plot {
   std::vector<PlotDivider> dividers;
   std::optional<double> y_highest;  // cuts the y axis off above
   bool y_down = false;              // the y axis on the left points down
+  bool names_one = false;           // a key for a single name too, which the labels do not tell
   double height = 330.0;            // px, of the plotting area; the whole picture is 900 px wide
 };
 

@@ -191,6 +191,14 @@ TEST(Plot, plots_stand_below_each_other_in_one_picture) {
             height(draw_plots(std::span(plots).first(1)).svg()) + height(draw_plots(std::span(plots).last(1)).svg()));
 }
 
+TEST(Plot, a_single_series_is_named_where_the_plot_asks_for_it) {
+  Plot plot = ramp();
+  plot.series[0].name = "wall";
+  EXPECT_EQ(draw_plot(plot).svg().find(">wall<"), std::string::npos);
+  plot.names_one = true;
+  EXPECT_NE(draw_plot(plot).svg().find(">wall<"), std::string::npos);
+}
+
 TEST(Plot, a_long_key_names_every_series_and_shows_its_dashes) {
   Plot plot = ramp();
   plot.series.clear();
