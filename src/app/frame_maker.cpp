@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "simulation/resistance_models.h"
+
 namespace bodkin::app {
 
 namespace {
@@ -90,6 +92,17 @@ void FrameMaker::measure_plan(Frame& frame) const {
   frame.target_reached = is_touching() && has_punctured() && in_target;
 }
 
+// By what the force model says of the place of the tip in the material.
+double FrameMaker::pushed_of(const Frame& frame) const {
+  if (!is_touching()) return 0.0;
+  for (std::size_t i = 0; i < frame.diagnostic_names.size(); ++i) {
+    if (frame.diagnostic_names[i].name != simulation::material_depth_name) continue;
+    const double pushed = frame.depth - frame.diagnostics[i];
+    return std::isfinite(pushed) ? std::max(0.0, pushed) : 0.0;
+  }
+  return 0.0;
+}
+
 void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand) {
   const simulation::TickOutput& now = news.needle.output;
   contact_.update(now, news.events);
@@ -113,11 +126,17 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   breathe(frame, now.drawn_in);
   place_needle(frame, news, control, hand);
   frame.in_tissue = in_material(frame.needle.translation());
+  frame.pushed = pushed_of(frame);
+  const Vec3 brought_to = frame.needle.translation() + news.needle.needle_ahead;
+  frame.touched =
+      frame.pushed > 0.0 ? in_material(brought_to - frame.pushed * needle_axis(frame.needle)) : frame.in_tissue;
   frame.entry.reset();
   if (is_touching()) frame.entry = frame.needle.translation() - frame.depth * needle_axis(frame.needle);
   frame.dimple = dimple_of(frame, news);
   if (patient_ != nullptr) {
-    frame.place = is_touching() ? place_name(patient_->patient, frame.in_tissue) : std::string();
+    frame.place = is_touching()
+                      ? place_name(patient_->patient, frame.touched, needle_axis(frame.needle), frame.tissue)
+                      : std::string();
     measure_plan(frame);
   }
   frame.device = news.device;

@@ -44,6 +44,7 @@ class FrameMaker {
                     const HandReport& hand) const;
   void breathe(Frame& frame, double drawn_in);
   void measure_plan(Frame& frame) const;
+  double pushed_of(const Frame& frame) const;
   bool have_moved(std::span<const LeftNeedle> left);
   SkinDimple dimple_of(const Frame& frame, const StationNews& news) const;
 

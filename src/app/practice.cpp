@@ -334,8 +334,7 @@ void Practice::follow_needle() {
 
 void Practice::follow_warning() {
   std::optional<Warning> found;
-  if (maker_.is_touching())
-    found = warning_at(patient_->patient, frame_.in_tissue, frame_.tissue, maker_.is_on_bone());
+  if (maker_.is_touching()) found = warning_at(patient_->patient, frame_.touched, frame_.tissue, maker_.is_on_bone());
   if (found) {
     if (!frame_.warning || frame_.warning->title != found->title) acknowledged_ = false;
     const auto same = [&](const MetDanger& danger) { return danger.warning.title == found->title; };

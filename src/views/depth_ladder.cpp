@@ -77,6 +77,8 @@ void DepthLadder::show_frame(const Frame& frame, const Changes& changes) {
   if (!changes.needle && !changes.plan && !changes.tissue && !changes.state && !changes.theme && !changes.attempt)
     return;
   depth_ = frame.has_needle ? frame.depth : 0.0;
+  tissue_ = frame.tissue;
+  touched_ = depth_ > 0.0 ? std::max(0.0, depth_ - frame.pushed) : depth_;
   reached_ = frame.target_reached;
   Vec3 entry = Vec3::Zero(), direction = Vec3::Zero();
   if (frame.has_needle) {
@@ -99,6 +101,20 @@ void DepthLadder::show_frame(const Frame& frame, const Changes& changes) {
     make_room_for_names();
   }
   update();
+}
+
+// At a boundary the one that the tip is in.
+const DepthSegment* DepthLadder::touched_segment() const {
+  constexpr double beside = 3.0;  // mm
+  const auto distance = [this](const DepthSegment& segment) {
+    return std::max({0.0, segment.from - touched_, touched_ - segment.to});
+  };
+  const DepthSegment* nearest = nullptr;
+  for (const DepthSegment& segment : segments_) {
+    if (segment.tissue != tissue_ || distance(segment) > beside) continue;
+    if (nearest == nullptr || distance(segment) < distance(*nearest)) nearest = &segment;
+  }
+  return nearest != nullptr ? nearest : segment_at(segments_, touched_);
 }
 
 double DepthLadder::row(double depth) const {
@@ -139,7 +155,7 @@ void DepthLadder::draw_bar(QPainter& painter) const {
       if (to > from)
         painter.fillRect(QRectF(QPointF(bar_left, row(from)), QPointF(bar_left + bar_width, row(to))), with);
     };
-    const double met = std::clamp(depth_, segment.from, segment.to);
+    const double met = std::clamp(touched_, segment.from, segment.to);
     fill(segment.from, met, colour);
     // What is still ahead is darker.
     QColor ahead = colour.darker(depth_ > 0.0 ? 155 : 125);
@@ -162,7 +178,7 @@ void DepthLadder::draw_names(QPainter& painter) const {
     named.push_back(&segment);
   }
   const std::vector<double> places = spread_labels(wishes, label_gap, bar_top + 4.0, height() - below_bar);
-  const DepthSegment* now = depth_ > 0.0 ? segment_at(segments_, depth_) : nullptr;
+  const DepthSegment* now = depth_ > 0.0 ? touched_segment() : nullptr;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const bool here = named[i] == now;
     painter.setPen(QPen(theme.line, 1.0));
@@ -187,7 +203,7 @@ void DepthLadder::draw_tip_and_target(QPainter& painter) const {
     painter.drawEllipse(QPointF(middle, row(target_)), 5.5, 5.5);
     if (reached_) painter.drawEllipse(QPointF(middle, row(target_)), 9.0, 9.0);
   }
-  const double y = std::clamp(row(std::max(0.0, depth_)), bar_top, height() - below_bar);
+  const double y = std::clamp(row(std::max(0.0, touched_)), bar_top, height() - below_bar);
   painter.setPen(QPen(QColor(0, 0, 0, 200), 4.0));
   painter.drawLine(QPointF(bar_left - 2.0, y), QPointF(bar_left + bar_width + 2.0, y));
   painter.setPen(QPen(Qt::white, 2.0));

@@ -32,16 +32,19 @@ class DepthLadder : public View {
  private:
   QString name_of(const DepthSegment& segment) const;
   void make_room_for_names();
+  const DepthSegment* touched_segment() const;
   void draw_bar(QPainter& painter) const;
   void draw_names(QPainter& painter) const;
   void draw_tip_and_target(QPainter& painter) const;
 
   std::shared_ptr<const OpenCase> patient_;
   std::vector<DepthSegment> segments_;
-  int wanted_width_ = 0;  // pixels
-  double length_ = 60.0;  // mm that the bar is long
-  double depth_ = 0.0;    // mm; not more than 0 outside
-  double target_ = -1.0;  // mm; negative: none
+  int wanted_width_ = 0;                             // pixels
+  double length_ = 60.0;                             // mm that the bar is long
+  double depth_ = 0.0;                               // mm; not more than 0 outside
+  double touched_ = 0.0;                             // mm, of what the tip touches, at rest
+  anatomy::TissueId tissue_ = anatomy::tissue::air;  // at the tip
+  double target_ = -1.0;                             // mm; negative: none
   bool reached_ = false;
   Vec3 entry_ = Vec3::Zero(), direction_ = Vec3::Zero();  // of the segments
 };

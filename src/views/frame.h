@@ -73,6 +73,8 @@ struct Frame {
   double drawn_in = 0.0;          // breath, 0 to 1, by which the patient is drawn; in steps that can be seen
   Vec3 in_tissue = Vec3::Zero();  // LPS mm, where what is at the tip lies when the patient has breathed out
   double depth = 0.0;             // mm along the needle's line below the skin; not more than 0 outside
+  double pushed = 0.0;            // mm of the depth by which the tip has pushed what it touches; 0: none is known
+  Vec3 touched = Vec3::Zero();    // LPS mm, where what it touches lies at rest
   double velocity = 0.0;          // mm/s, inwards
   std::optional<Vec3> entry;      // LPS mm, where the needle went through the skin
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip

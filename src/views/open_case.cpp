@@ -27,4 +27,14 @@ std::string place_name(const anatomy::Case& patient, const Vec3& point) {
   return title;
 }
 
+std::string place_name(const anatomy::Case& patient, const Vec3& point, const Vec3& inwards,
+                       anatomy::TissueId tissue) {
+  constexpr double step = 0.5, farthest = 3.0;  // mm
+  for (double back = 0.0; back <= farthest; back += step) {
+    const Vec3 place = point - back * inwards;
+    if (anatomy::nearest(patient.tissues, place, anatomy::tissue::air) == tissue) return place_name(patient, place);
+  }
+  return patient.library.title(tissue);
+}
+
 }  // namespace bodkin::views

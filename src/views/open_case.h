@@ -21,6 +21,11 @@ struct OpenCase {
 // The name of what lies at `point` (LPS mm) for people: the labelled structure ("vertebra L3"), or else the tissue.
 std::string place_name(const anatomy::Case& patient, const Vec3& point);
 
+// The same for a tip that touches `tissue` of the deformed material, which lies at `point` at rest: at a boundary
+// that is what stands before it, along `inwards`.
+std::string place_name(const anatomy::Case& patient, const Vec3& point, const Vec3& inwards,
+                       anatomy::TissueId tissue);
+
 // "vertebrae_L3" as people read it: "vertebra L3".
 std::string readable_structure(const std::string& name);
 

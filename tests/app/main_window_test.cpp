@@ -98,8 +98,11 @@ TEST_F(Window, the_results_lead_to_the_review_of_the_attempt) {
   const std::size_t deep = recording->index_at(recording->end());
   page->seek(recording->time(deep));
   ASSERT_TRUE(wait([&] { return std::abs(page->frame().time - recording->time(deep)) < 0.0011; }, 60));
-  const Vec3 tip = recording->session().ticks[deep].input.needle.translation();
-  EXPECT_EQ(page->frame().place, place_name(recording->patient()->patient, tip));
+  const simulation::TickRecord& there = recording->session().ticks[deep];
+  const Frame& frame = page->frame();
+  EXPECT_EQ(frame.place, place_name(recording->patient()->patient, frame.touched, needle_axis(there.input.needle),
+                                    there.output.tissue));
+  EXPECT_LE((frame.touched - there.input.needle.translation()).norm(), there.output.depth) << "it has been pushed";
   EXPECT_NEAR(page->frame().depth, recording->session().ticks[deep].output.depth, 1e-12);
 }
 

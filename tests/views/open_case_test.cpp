@@ -29,6 +29,17 @@ TEST(PlaceName, in_the_canal_it_is_the_tissue_and_elsewhere_the_structure) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(place_name(patient, Vec3(i, 0.0, 0.0)), names[i]) << i;
 }
 
+// A tip that pushes a boundary before it is still in what stands before the boundary.
+TEST(PlaceName, of_a_tip_in_the_deformed_material_is_what_it_is_in) {
+  using namespace anatomy::tissue;
+  const anatomy::Case patient = row();
+  const Vec3 inwards = Vec3::UnitX();
+  EXPECT_EQ(place_name(patient, Vec3(3.0, 0.0, 0.0), inwards, spinal_cord), "spinal cord") << "bone is pushed";
+  EXPECT_EQ(place_name(patient, Vec3(4.4, 0.0, 0.0), inwards, cortical_bone), "vertebra L3");
+  EXPECT_EQ(place_name(patient, Vec3(3.0, 0.0, 0.0), inwards, cortical_bone), "vertebra L3");
+  EXPECT_EQ(place_name(patient, Vec3(0.0, 0.0, 0.0), inwards, muscle), "muscle") << "it is nowhere before";
+}
+
 TEST(PlaceName, without_labels_it_is_the_tissue) {
   anatomy::Case patient = row();
   patient.structures = {};

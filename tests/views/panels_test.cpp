@@ -46,6 +46,20 @@ TEST(DepthLadder, has_the_colour_of_each_tissue_at_its_depth_and_is_darker_ahead
   EXPECT_GT(at(20.0).lightness(), 230) << "the tip's line";
 }
 
+TEST(DepthLadder, a_tip_that_pushes_what_it_touches_stands_where_that_lies) {
+  DepthLadder ladder;
+  Frame frame = frame_at(20.0);
+  frame.pushed = 6.0;
+  frame.tissue = anatomy::tissue::muscle;
+  show(ladder, 116, 370, frame);
+  const QImage picture = ladder.grab().toImage();
+  const auto at = [&](double depth) {
+    return picture.pixelColor(28, static_cast<int>(std::lround(ladder.row(depth))));
+  };
+  EXPECT_GT(at(14.0).lightness(), 230) << "the tip's line";
+  EXPECT_LT(at(20.0).lightness(), colour_of(anatomy::tissue::muscle).lightness()) << "only pushed";
+}
+
 TEST(DepthLadder, before_the_skin_it_shows_the_way_that_the_needle_would_take) {
   DepthLadder ladder;
   show(ladder, 116, 370, frame_at(-10.0));

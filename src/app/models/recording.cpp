@@ -209,7 +209,7 @@ Frame Recording::frame(std::size_t index) const {
   if (patient_ == nullptr) {
     if (frame.depth > 0.0) frame.place = tissue_title(frame.tissue);
   } else if (maker.is_touching()) {
-    frame.warning = warning_at(patient_->patient, frame.in_tissue, frame.tissue, maker.is_on_bone());
+    frame.warning = warning_at(patient_->patient, frame.touched, frame.tissue, maker.is_on_bone());
   }
   return frame;
 }
