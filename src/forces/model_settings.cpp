@@ -1,6 +1,5 @@
 #include "forces/model_settings.h"
 
-#include <type_traits>
 #include <variant>
 
 #include "forces/needle_law.h"

@@ -22,7 +22,7 @@ struct ModelSettings {
 // As the case feels. What a person changes are the models' own numbers: with mechanics="physical" those that follow
 // from the description for the case's needle stand in place of the description, which would be derived again.
 ModelSettings model_settings(const anatomy::Case& patient);
-// The same, had the case these tissues; those that the library lacks stay as they are.
+// The same of a case with this description and these tissues.
 ModelSettings model_settings(const anatomy::CaseDescription& description, const anatomy::TissueLibrary& library);
 
 // Which struct of them a parameter stands in. From `relaxation` on: what a case adds to its resistance.

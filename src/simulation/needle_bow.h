@@ -32,7 +32,7 @@ class NeedleBow {
 
  private:
   double strength() const noexcept;  // N, P
-  // Whether a force is P or more; of most the answer takes no quotient.
+  // Whether a force is P or more. For most forces that takes no division.
   bool bows_under(double force) const noexcept;
 
   bool rigid_;
