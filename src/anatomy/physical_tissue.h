@@ -19,6 +19,7 @@ struct PhysicalTissue {
   double reference_diameter = 0.7176;
   NeedleTip reference_tip = NeedleTip::quincke;
   double dimpling = 2.0;
+  double cutting_share = 0.0;
   double friction = 0.0;
   double static_ratio = 1.2;
   double young = 0.0;
@@ -39,6 +40,9 @@ struct PhysicalTissue {
         Parameter{"reference_tip", &S::reference_tip, "tip of the reference needle", Origin::literature},
         Parameter{"dimpling_mm", &S::dimpling, above(0.0, 50.0), "mm",
                   "by which the boundary is pushed in before it gives way", Origin::literature},
+        Parameter{"cutting_share", &S::cutting_share, Range{0.0, 1.0}, "",
+                  "of the puncture force, that cutting on inside the tissue takes; 0: its boundary alone resists",
+                  Origin::literature},
         Parameter{"friction_MPa", &S::friction, Range{0.0, 1.0}, "MPa", "force per area of the sliding shaft",
                   Origin::choice},
         Parameter{"static_ratio", &S::static_ratio, Range{1.0, 10.0}, "",

@@ -222,6 +222,7 @@ struct DeformableTissue {
   double poisson = 0.3;
   double friction = 0.0;
   double puncture_force = 0.0;
+  double cutting_force = 0.0;
   double stiffness = 0.0;
   FibreAxis fibres = FibreAxis::none;
   double young_along = 0.0;
@@ -236,6 +237,8 @@ struct DeformableTissue {
                                 "mu_t, Coulomb force per mm of shaft", Origin::choice},
                       Parameter{"puncture_force_N", &S::puncture_force, Range{0.0, 100.0}, "N",
                                 "F_p, along the needle, at which the tissue gives way; 0: at once", Origin::choice},
+                      Parameter{"cutting_force_N", &S::cutting_force, Range{0.0, 100.0}, "N",
+                                "F_c, along the needle, at which its tip cuts on inside the tissue", Origin::choice},
                       Parameter{"stiffness_N_per_mm", &S::stiffness, Range{0.0, 100.0}, "N/mm",
                                 "k_target, of `closest_node` alone; 0: as the mesh has it", Origin::choice},
                       Parameter{"fibres", &S::fibres, "axis of the patient along which fibres run", Origin::choice},

@@ -33,7 +33,7 @@ class ContactChange {
     for (std::size_t i = 0; i < now_.tissues.size(); ++i) {
       const ContactTissue &a = from_.tissues[i], &b = to_.tissues[i];
       now_.tissues[i] = {between(a.friction, b.friction), between(a.puncture_force, b.puncture_force),
-                         between(a.stiffness, b.stiffness)};
+                         between(a.cutting_force, b.cutting_force), between(a.stiffness, b.stiffness)};
     }
     now_.capture_radius = between(from_.capture_radius, to_.capture_radius);
     now_.time = between(from_.time, to_.time);

@@ -38,6 +38,7 @@ void check_contact_tissues(const ContactTissues& tissues) {
   for (std::size_t id = 0; id < tissues.size(); ++id) {
     require(tissues[id].friction, 10.0, id, "friction", "N/mm");
     require(tissues[id].puncture_force, 100.0, id, "puncture force", "N");
+    require(tissues[id].cutting_force, 100.0, id, "cutting force", "N");
     require(tissues[id].stiffness, 100.0, id, "contact stiffness", "N/mm");
   }
 }

@@ -10,6 +10,7 @@ namespace bodkin::fem {
 struct ContactTissue {
   double friction = 0.0;        // mu_t, N/mm: Coulomb force per mm of shaft; 0 to 10
   double puncture_force = 0.0;  // F_p, N along the needle at which the tissue gives way; 0 to 100, 0 = at once
+  double cutting_force = 0.0;   // F_c, N along the needle at which the tip cuts on inside the tissue; 0 to 100
   double stiffness = 0.0;       // k_target, N/mm, of `ClosestNodeContact` alone; 0 to 100, 0 = as the mesh has it
 };
 

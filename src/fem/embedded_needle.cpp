@@ -147,12 +147,13 @@ Pose EmbeddedNeedle::carried_along_shaft() const noexcept {
 void EmbeddedNeedle::open(const Vec3& place, anatomy::TissueId tissue) noexcept {
   for (const ContactNode& node : line()) {
     if (node.tissue == tissue && (body_.nodes[node.index] - place).squaredNorm() < same_hole * same_hole)
-      punctured_[node.index] = 1;
+      punctured_[node.index] = punctured_before;
   }
 }
 
 void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   start(entry, direction);
+  std::replace(punctured_.begin(), punctured_.end(), punctured_now, punctured_before);
   contact_nodes_.begin(entry, direction, tissues_);
   place_new_points();
   if (!line().empty()) constraints_.add_before_tip(line()[0].index);
@@ -201,7 +202,8 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   constraints_.begin(frame_);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
-  bevel_energy_ = provisional_ = 0.0;
+  bevel_energy_ = provisional_ = cut_ = 0.0;
+  cutting_ = false;
   surface_ = {};
   captured_ = placed_ = 0;
   moves_ = false;
@@ -247,6 +249,7 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
   if (!constraints_.push(node.index, node.depth)) return false;
   const ShaftCompliance& compliance = constraints_.compliance();
   contact = {};
+  contact.whole = is_whole(index);
   contact.own_compliance = 0.5 * (compliance.row(index, 1)[3 * index + 1] + compliance.row(index, 2)[3 * index + 2]);
   contact.full_capture_length = std::min(node.length, settings_.capture_radius);
   contact.moved = moved(0);
@@ -260,12 +263,14 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
 void EmbeddedNeedle::capture() noexcept {
   force_.full = false;
   for (int i = 0; i < most_captures; ++i) {
-    if (captured_ >= line().size() || blocked() || tip_ < depth_now(captured_)) return;
+    if (captured_ >= line().size() || blocked() || !comes_to_next()) return;
     const ContactNode& node = line()[captured_];
+    const bool at_cut = is_at_cut();
     if (!capture_node(captured_)) {
       force_.full = true;
       return;
     }
+    if (at_cut) cut_ = contacts_[captured_ - 1].slip;
     // A node that the tip passed while a puncture was pending starts sticking; a newly reached node starts sliding,
     // with the friction of the short piece of shaft in its part of the line.
     const bool rubs = tissues_[node.tissue].friction * node.length > least_friction;
@@ -300,10 +305,11 @@ void EmbeddedNeedle::update_capture() noexcept {
     const ContactNode& node = line()[i];
     const double length = std::clamp(tip_ - depth_now(i), 0.0, node.length);
     NodeContact& contact = contacts_[i];
-    contact.puncture_residual = std::max(
-        0.0, contact.puncture_residual - tissues_[node.tissue].puncture_force * dt_ / settings_.puncture_time);
+    const double most = std::max(tissues_[node.tissue].puncture_force, tissues_[node.tissue].cutting_force);
+    contact.puncture_residual = std::max(0.0, contact.puncture_residual - most * dt_ / settings_.puncture_time);
     contact.limit = tissues_[node.tissue].friction * length + contact.puncture_residual;
   }
+  update_cutting();
   if (captured_ == 0) return;
   const double part =
       std::clamp((tip_ - depth_now(captured_ - 1)) / contacts_[captured_ - 1].full_capture_length, 0.0, 1.0);
@@ -342,9 +348,10 @@ void EmbeddedNeedle::puncture() noexcept {
     force_.full = true;
     return;
   }
-  punctured_[node.index] = 1;
+  punctured_[node.index] = punctured_now;
   NodeContact& contact = contacts_[captured_ - 1];
-  contact.slip = slip;
+  contact.slip = cut_ = slip;
+  cutting_ = true;
   contact.puncture_residual = contact.limit = force;
   force_.puncture = TissuePuncture{node.tissue, tip_, force, body_.nodes[node.index]};
 }

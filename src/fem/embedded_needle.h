@@ -60,6 +60,7 @@ struct EmbeddedNeedleForce {
 //   along, sticking            u_i = s - z_i                      while |f_i| <= mu_t l_i
 //   along, sliding             f_i = +-mu_t l_i                   while z_i moves in the direction of the force
 //   node in front of the tip   u_i = s - depth_i, f_i >= 0        until f_i = F_p: puncture
+//   cutting                    f_n <= mu_t l_n + F_c inwards at the last node, where the tip is at its deepest
 //
 // A bevelled needle cuts its hole `cut_offset` to one side of its axis, towards its point. This is the side of -y of
 // its pose, as for BevelTip; without a unit vector y it cuts straight. The needle bends to follow the hole. The
@@ -67,10 +68,12 @@ struct EmbeddedNeedleForce {
 // needle deeper bends it more sharply, and the hand feels the force of that.
 //
 //   s depth of the tip along the frozen line, mm; z_i slip, the position of node i on the needle, mm; l_i the length
-//   of shaft in node i's part of the line; mu_t, F_p see ContactTissue. Where the body moves by itself (move_with),
-//   u_i is S f and that motion.
+//   of shaft in node i's part of the line; mu_t, F_p, F_c see ContactTissue. Where the body moves by itself
+//   (move_with), u_i is S f and that motion.
 //
-// Forces are continuous. At a puncture F_p becomes friction that decays to zero within puncture_time. A newly
+// Forces are continuous. At a puncture F_p becomes friction that decays to F_c within puncture_time, and F_c to zero
+// when the tip has left the layer. Until then the layer's nodes, and the one behind it, are met at the depth of the
+// tissue as it has moved. A newly
 // captured node has a soft lateral constraint, which stiffens as the tip moves on and softens again on withdrawal. No
 // law generates energy: each is elastic, frictional, or a compliance that grows at constant displacement and shrinks
 // at constant force. Displacements are small: depths and lengths are those at rest. Numerical method, choices and
@@ -157,6 +160,7 @@ class EmbeddedNeedle {
     double sense = 1.0;                                // direction of sliding, -1 or 1
     double puncture_residual = 0.0;                    // N
     double limit = 0.0;                                // N, friction limit of this tick
+    double cutting = 0.0;                              // N, by which it is higher inwards, where the tip cuts
     double moved = 0.0;                                // mm, u along the needle
     Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // mm, across: position of its hole
     double lateral_compliance = -1.0;                  // mm/N, of the constraint; negative: not constrained
@@ -164,6 +168,9 @@ class EmbeddedNeedle {
     double full_capture_length = 1.0;                  // mm past its depth, over which its constraint stiffens
     double cut = 0.0;                                  // part of cut_offset by which the bevel has moved its hole
     Eigen::Vector2d aside = Eigen::Vector2d::Zero();   // mm, by which it has done so in this tick
+    bool whole = true;                                 // its layer, before this insertion
+
+    double limit_towards(double direction) const noexcept { return limit + (direction > 0.0 ? cutting : 0.0); }
   };
 
   std::span<const ContactNode> line() const noexcept { return contact_nodes_.along(); }
@@ -181,12 +188,19 @@ class EmbeddedNeedle {
   double opened_depth() const noexcept;
   anatomy::TissueId tissue_at(double depth) const noexcept;
   bool blocked() const noexcept;
+  bool cuts() const noexcept;
+  bool is_at_cut() const noexcept;
+  bool comes_to_next() const noexcept;
+  bool is_whole(std::size_t index) const noexcept;
+  bool is_before_next() const noexcept { return blocked() || (is_at_cut() && captured_ < line().size()); }
   void release_withdrawn() noexcept;
   void capture() noexcept;
   void place_tip_contact(double moved) noexcept;
   void add_next_before_tip() noexcept;
   bool capture_node(std::size_t index) noexcept;
   void update_capture() noexcept;
+  void update_cutting() noexcept;
+  double cutting_force() const noexcept;
   void set_lateral_compliance(double lateral_compliance) noexcept;
   void cut_aside(double advance) noexcept;
   void solve_contacts() noexcept;
@@ -218,11 +232,13 @@ class EmbeddedNeedle {
   ShaftConstraints constraints_;
   std::unique_ptr<ShaftConstraints> other_;  // with the other compliance; null: there is none
   bool exchanging_ = false, exchanged_ = false;
-  std::vector<NodeContact> contacts_;    // most_nodes + 1: the shaft's nodes and the one in front of the tip
-  std::vector<double> displacements_;    // 3 x (most_nodes + 1), mm: along, across, across
-  std::vector<double> forces_;           // 3 x (most_nodes + 1), N on the tissue: along, across, across
-  std::vector<std::uint8_t> punctured_;  // by point of the body
-  std::span<const float> field_;         // of the body's own motion, as move_with() has it
+  std::vector<NodeContact> contacts_;  // most_nodes + 1: the shaft's nodes and the one in front of the tip
+  std::vector<double> displacements_;  // 3 x (most_nodes + 1), mm: along, across, across
+  std::vector<double> forces_;         // 3 x (most_nodes + 1), N on the tissue: along, across, across
+  // By point of the body: whole, punctured in this insertion, or before it.
+  static constexpr std::uint8_t punctured_now = 1, punctured_before = 2;
+  std::vector<std::uint8_t> punctured_;
+  std::span<const float> field_;  // of the body's own motion, as move_with() has it
   BodyBreath breath_;
   std::vector<Vec3> carried_;  // mm, LPS, by point of the body; as far as the tissue has gone there
   std::size_t placed_ = 0;     // nodes of the line whose carried_ is known
@@ -232,6 +248,8 @@ class EmbeddedNeedle {
   Vec3 entry_ = Vec3::Zero();
   Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across
   double tip_ = 0.0;               // s, mm
+  double cut_ = 0.0;               // mm, where the last node touched the needle at the deepest cut
+  bool cutting_ = false;           // the tip was there in the last tick
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(), slope_ = Eigen::Vector2d::Zero();
   ShaftRoot root_;
   Eigen::Vector2d turn_ = Eigen::Vector2d::Zero();  // rad, rotation of a pinned hub from the pose

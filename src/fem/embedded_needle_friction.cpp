@@ -33,7 +33,7 @@ void EmbeddedNeedle::solve() noexcept {
   const std::size_t known = constraints_.known();
   for (std::size_t i = 0; i < known; ++i) {
     if (!constraints_.constrained_along(i))
-      forces_[3 * i] = i < captured_ ? contacts_[i].sense * contacts_[i].limit : 0.0;
+      forces_[3 * i] = i < captured_ ? contacts_[i].sense * contacts_[i].limit_towards(contacts_[i].sense) : 0.0;
   }
   constraints_.solve_along(forces_);
   for (std::size_t i = 0; i < known; ++i) {
@@ -47,7 +47,7 @@ bool EmbeddedNeedle::stick_where_slip_reverses(bool last_round) noexcept {
   std::size_t turning = 0;
   const auto slip_reverses = [this](std::size_t i) {
     const NodeContact& contact = contacts_[i];
-    return contact.limit > force_tolerance &&
+    return contact.limit_towards(contact.sense) > force_tolerance &&
            contact.sense * (tip_ - contact.moved - contact.slip) < -slip_tolerance &&
            !constraints_.constrained_along(i);
   };
@@ -68,7 +68,8 @@ bool EmbeddedNeedle::stick_where_slip_reverses(bool last_round) noexcept {
 bool EmbeddedNeedle::slip_where_friction_ends(std::size_t& budget) noexcept {
   double worst = 0.0;
   const auto excess = [this](std::size_t i) {
-    return std::abs(forces_[3 * i]) - contacts_[i].limit * (1.0 + force_tolerance) - force_tolerance;
+    const double force = forces_[3 * i], limit = contacts_[i].limit_towards(force);
+    return std::abs(force) - limit * (1.0 + force_tolerance) - force_tolerance;
   };
   for (std::size_t i = 0; i < captured_; ++i) {
     if (constraints_.constrained_along(i)) worst = std::max(worst, excess(i));
@@ -123,6 +124,7 @@ void EmbeddedNeedle::solve_contacts() noexcept {
     bevel_energy_ += forces_[3 * i] * (slip - contact.slip);
     contact.slip = slip;
   }
+  if (captured_ > 0) cut_ = std::max(cut_, contacts_[captured_ - 1].slip);
   if (constraints_.known() > captured_ && !constraints_.constrained_along(captured_)) {
     NodeContact& next = contacts_[captured_];
     next.slip = std::max(line()[captured_].depth, std::min(next.slip, tip_ - next.moved));

@@ -16,7 +16,7 @@ constexpr double inside_border = 1e-6;  // mm before a border that has not given
 double EmbeddedNeedle::material_depth() const noexcept {
   if (captured_ == 0) return provisional_ > 0.0 || blocked() ? 0.0 : tip_ - (line().empty() ? 0.0 : carried(0)(0));
   const double here = tip_ - contacts_[captured_ - 1].moved;
-  return blocked() ? std::min(here, line()[captured_].depth) : here;
+  return is_before_next() ? std::min(here, line()[captured_].depth) : here;
 }
 
 // The tissue at the tip has moved aside with the needle by as much as at the last point of the shaft.
@@ -77,13 +77,14 @@ void EmbeddedNeedle::report() noexcept {
   }
   pushed(0) += provisional_;
   force_.resistance = pushed(0);
-  force_.tip_force = known > captured_ ? forces_[3 * captured_] : provisional_;
+  force_.tip_force = (known > captured_ ? forces_[3 * captured_] : provisional_) + cutting_force();
   force_.material_depth = material_depth();
   force_.opened_depth = opened_depth();
   force_.inside = force_.pushed = anatomy::tissue::air;
   if (!line().empty()) {
     const double reached = std::max(force_.material_depth, force_.opened_depth);
-    force_.inside = tissue_at(blocked() ? std::min(reached, line()[captured_].depth - inside_border) : reached);
+    force_.inside =
+        tissue_at(is_before_next() ? std::min(reached, line()[captured_].depth - inside_border) : reached);
     if (blocked()) force_.pushed = line()[captured_].tissue;
   }
   force_.on_hand = {-(frame_ * pushed), -(frame_ * torque)};

@@ -100,6 +100,7 @@ void derive(anatomy::TissueProperties& tissue, const anatomy::Needle& needle, do
 
   tissue.deformable.friction = std::min(friction, 10.0);
   tissue.deformable.puncture_force = std::min(force, 100.0);
+  tissue.deformable.cutting_force = std::min(cutting_force(is, needle), 100.0);
   tissue.deformable.stiffness = stiffness;
 }
 
@@ -120,6 +121,10 @@ double puncture_force(const anatomy::PhysicalTissue& tissue, const anatomy::Need
   const anatomy::Needle reference = {.tip = tissue.reference_tip};
   return tissue.puncture_force * std::pow(needle.outer_diameter / tissue.reference_diameter, tissue.exponent) *
          tip_factor(needle) / tip_factor(reference);
+}
+
+double cutting_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {
+  return tissue.cutting_share * puncture_force(tissue, needle);
 }
 
 double boundary_stiffness(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {

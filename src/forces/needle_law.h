@@ -14,7 +14,8 @@ namespace bodkin::forces {
 //   c = 0.77 s + 0.23 tan b / tan 20 deg  s: what is torn, b: bevel. Shares 61 : 18 of Barnett et al. 2015 without
 //                                         the friction of the shaft
 //   k = F_ref/x_ref d/d_ref               stiffness before puncture, that of a punch; dimpling x = F_p/k
-//   f = tau pi d                          N per mm of shaft: friction on its perimeter
+//   F_c = share F_p                       cutting on inside the tissue; of the ligamentum flavum what Barnett et al.
+//   tore f = tau pi d                          N per mm of shaft: friction on its perimeter
 
 // c, 1 for a quincke needle. A tip without an edge stretches its hole open, s = 1.22: taper-point needles need 1.08
 // times the force of cutting ones in human skin (mean of three pairs, Maloney et al.). A trephine cuts a whole ring,
@@ -22,6 +23,8 @@ namespace bodkin::forces {
 double tip_factor(const anatomy::Needle& needle) noexcept;
 // N, F_p; the boundary of the tissue gives way at it.
 double puncture_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept;
+// N, F_c; the tip cuts on at it inside the tissue.
+double cutting_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept;
 // N/mm, k; 0 where nothing has to give way.
 double boundary_stiffness(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept;
 // N/mm, f, of the sliding shaft.

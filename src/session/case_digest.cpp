@@ -22,7 +22,8 @@ constexpr std::size_t largest_mesh = std::size_t{4} << 30;  // bytes
 
 // Parameters that came later: at zero, as they are where a library says nothing of them, they leave the digests of
 // earlier sessions as they were.
-constexpr std::array<std::string_view, 3> later_parameters = {"fibres", "young_along_MPa", "shear_along_MPa"};
+constexpr std::array<std::string_view, 5> later_parameters = {"fibres", "young_along_MPa", "shear_along_MPa",
+                                                              "cutting_force_N", "cutting_share"};
 
 // Every parameter, whether or not it counts for the alternative chosen, but what is in the element `without`.
 template <Parameterized Settings>

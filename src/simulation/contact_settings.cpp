@@ -55,8 +55,10 @@ fem::ContactTissues contact_tissues(const anatomy::Case& patient) {
   const anatomy::TissueLibrary library = forces::felt_tissues(patient);
   for (const anatomy::TissueProperties& tissue : library.tissues()) {
     const anatomy::DeformableTissue& here = tissue.deformable;
-    tissues[tissue.id] = {
-        .friction = here.friction, .puncture_force = here.puncture_force, .stiffness = here.stiffness};
+    tissues[tissue.id] = {.friction = here.friction,
+                          .puncture_force = here.puncture_force,
+                          .cutting_force = here.cutting_force,
+                          .stiffness = here.stiffness};
   }
   return tissues;
 }
@@ -109,6 +111,7 @@ bool differ_in_contact_alone(const anatomy::HapticSettings& a,
   return std::equal(tissues_a.begin(), tissues_a.end(), tissues_b.begin(), [](auto one, const auto& other) {
     one.deformable.friction = other.deformable.friction;
     one.deformable.puncture_force = other.deformable.puncture_force;
+    one.deformable.cutting_force = other.deformable.cutting_force;
     one.deformable.stiffness = other.deformable.stiffness;
     return same_parameters(one, other);
   });

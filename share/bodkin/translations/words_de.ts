@@ -688,6 +688,14 @@
         <translation>mu_t, Reibungskraft je mm Schaft</translation>
     </message>
     <message>
+        <source>F_c, along the needle, at which its tip cuts on inside the tissue</source>
+        <translation>F_c, längs der Nadel, bei der ihre Spitze im Gewebe weiterschneidet</translation>
+    </message>
+    <message>
+        <source>of the puncture force, that cutting on inside the tissue takes; 0: its boundary alone resists</source>
+        <translation>der Durchstichkraft, die das Weiterschneiden im Gewebe braucht; 0: nur die Grenze widersteht</translation>
+    </message>
+    <message>
         <source>F_p, along the needle, at which the tissue gives way; 0: at once</source>
         <translation>F_p, längs der Nadel, bei der das Gewebe nachgibt; 0: sofort</translation>
     </message>
