@@ -7,7 +7,6 @@
 #include "tracking/marker_search.h"
 #include "tracking/start_pose.h"
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -16,22 +15,7 @@ namespace bodkin::tracking {
 
 namespace {
 
-using Six = Eigen::Matrix<double, 6, 1>;
-
 constexpr double most_face_residual = 0.06;
-
-Six step_between(const Pose& from, const Pose& to) {
-  const Eigen::AngleAxisd turn(to.linear() * from.linear().transpose());
-  Six step;
-  step << to.translation() - from.translation(), turn.angle() * turn.axis();
-  return step;
-}
-
-void take_step(Pose& pose, const Six& step) {
-  pose.translation() += step.head<3>();
-  const Vec3 turn = step.tail<3>();
-  if (turn.norm() > 0.0) pose.linear() = (Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear()).eval();
-}
 
 // How shift and turn of the body, in camera axes, move a face whose origin lies at `arm` from the body's.
 Matrix6 moved_by_body(const Vec3& arm) {
@@ -68,7 +52,7 @@ int BodyCalibration::add(const GreyPicture& picture) {
       // The other planar solution lies far from what the body says.
       if (Eigen::AngleAxisd(refined.camera_from_body.linear().transpose() * start.linear()).angle() > 6.0 * degree)
         continue;
-      seen.push_back({f, refined.camera_from_body, refined.covariance.inverse()});
+      seen.push_back({f, refined.camera_from_body, inverse_of(refined.covariance)});
     }
   }
   const int faces = static_cast<int>(seen.size());
@@ -111,16 +95,16 @@ CalibratedBody BodyCalibration::solve(int least) const {
     };
     std::vector<std::vector<Part>> parts(pictures_.size());
     std::vector<Matrix6> inverses(pictures_.size());
-    std::vector<Six> rights(pictures_.size());
+    std::vector<Vector6> rights(pictures_.size());
     for (std::size_t k = 0; k < pictures_.size(); ++k) {
       Matrix6 of_body = Matrix6::Zero();
-      Six of_body_right = Six::Zero();
+      Vector6 of_body_right = Vector6::Zero();
       const Mat3 axes = bodies[k].linear();
       Matrix6 by_face = Matrix6::Zero();
       by_face.topLeftCorner<3, 3>() = by_face.bottomRightCorner<3, 3>() = axes;
       for (const Seen& seen : pictures_[k]) {
         const Pose expected = bodies[k] * made.body.faces[seen.face].place;
-        const Six off = step_between(expected, seen.camera_from_face);
+        const Vector6 off = step_between(expected, seen.camera_from_face);
         const Matrix6 by_body = moved_by_body(expected.translation() - bodies[k].translation());
         of_body += by_body.transpose() * seen.information * by_body;
         of_body_right += by_body.transpose() * seen.information * off;
@@ -130,7 +114,7 @@ CalibratedBody BodyCalibration::solve(int least) const {
         right.segment<6>(u) += by_face.transpose() * seen.information * off;
         parts[k].push_back({u, by_face.transpose() * seen.information * by_body});
       }
-      inverses[k] = of_body.inverse();
+      inverses[k] = inverse_of(of_body);
       rights[k] = of_body_right;
       for (const Part& a : parts[k]) {
         right.segment<6>(a.unknown) -= a.across * inverses[k] * of_body_right;
@@ -142,7 +126,7 @@ CalibratedBody BodyCalibration::solve(int least) const {
     const Eigen::VectorXd step = solved.solve(right);
     covariance = solved.solve(Eigen::MatrixXd::Identity(6 * unknowns, 6 * unknowns));
     for (std::size_t k = 0; k < pictures_.size(); ++k) {
-      Six left_over = rights[k];
+      Vector6 left_over = rights[k];
       for (const Part& part : parts[k]) left_over -= part.across.transpose() * step.segment<6>(part.unknown);
       take_step(bodies[k], inverses[k] * left_over);
     }
@@ -156,7 +140,7 @@ CalibratedBody BodyCalibration::solve(int least) const {
     CalibratedFace face;
     face.id = made.body.faces[f].id;
     face.pictures = times[f];
-    const Six change = step_between(body_.faces[f].place, made.body.faces[f].place);
+    const Vector6 change = step_between(body_.faces[f].place, made.body.faces[f].place);
     face.moved = change.head<3>().norm();
     face.turned = change.tail<3>().norm() / degree;
     if (const int u = unknown_of[f]; u >= 0) {

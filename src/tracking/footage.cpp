@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tracking/jpeg_file.h"
+#include "tracking/pose_step.h"
 
 #include "core/parallel_for.h"
 #include "core/random.h"
@@ -181,9 +182,9 @@ GreyPicture render_picture(const CameraModel& camera, const FootageLook& look, c
     const double when = instants == 1 ? 0.0 : (n + 0.5) / instants - 0.5;
     for (const PlacedBody& placed : bodies) {
       Pose place = placed.camera_from_body;
-      place.translation() += when * placed.shift;
-      const Vec3 turn = when * placed.turn;
-      if (turn.norm() > 0.0) place.linear() = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * place.linear();
+      Vector6 step;
+      step << when * placed.shift, when * placed.turn;
+      take_step(place, step);
       for (const MarkerFace& face : placed.body->faces) {
         SeenSheet sheet;
         if (front(sheet, face, place, camera)) seen[static_cast<std::size_t>(n)].push_back(sheet);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 namespace bodkin::tracking {
 
@@ -18,7 +17,7 @@ constexpr int most_coarse_pixels = 5000;  // with every second pixel of every se
 
 struct PhotometricRefinement::Sums {
   Matrix6 normal = Matrix6::Zero();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+  Vector6 right = Vector6::Zero();
   double edge_squares = 0.0, edge_weights = 0.0;  // of residual over step, weighed by the pattern's slope
   double flat_squares = 0.0, flat_weights = 0.0;  // the same where the pattern has hardly any
   int pixels = 0;
@@ -102,8 +101,7 @@ bool PhotometricRefinement::gather(const GreyPicture& picture, const FacePattern
   const Eigen::LDLT<Eigen::Matrix4d> solved(lights);
   const Eigen::Matrix<double, unknown_light, 6> removed = solved.solve(across);
   const Matrix6 normal = all.topLeftCorner<6, 6>() - across.transpose() * removed;
-  const Eigen::Matrix<double, 6, 1> right_side =
-      all.block<6, 1>(0, 10) - removed.transpose() * all.block<unknown_light, 1>(6, 10);
+  const Vector6 right_side = all.block<6, 1>(0, 10) - removed.transpose() * all.block<unknown_light, 1>(6, 10);
   Matrix6 axes = Matrix6::Zero();
   axes.topLeftCorner<3, 3>() = axes.bottomRightCorner<3, 3>() = camera_from_body.linear() * face.face->place.linear();
   const double noise = std::max(edge_squares / std::max(edge_weights, 1e-9), 1e-7);
@@ -146,7 +144,7 @@ RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const Mark
     const double flat = std::sqrt(sums.flat_squares / std::max(sums.flat_weights, 1.0));
     refined.edge_ratio = sums.flat_weights > 50.0 ? refined.residual / std::max(flat, 2e-3) : 1.0;
     refined.pixels = sums.pixels;
-    const Eigen::Matrix<double, 6, 1> change = solved.solve(sums.right);
+    const Vector6 change = solved.solve(sums.right);
     if (!change.allFinite() || change.head<3>().norm() > 100.0 || change.tail<3>().norm() > 0.7) return refined;
     // How far the markers would move in the picture.
     const double far = std::max(pose.translation().norm(), 1.0);
@@ -160,11 +158,7 @@ RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const Mark
     if (step == steps) break;
     // A quarter of the pixels of a large board is enough.
     if (step == 0 && sums.pixels < most_coarse_pixels) stride = 1;
-    pose.translation() += change.head<3>();
-    const Vec3 turn = change.tail<3>();
-    if (turn.norm() > 0.0) {
-      pose.linear() = (Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.linear()).eval();
-    }
+    take_step(pose, change);
     if (refined.sound) {
       refined.camera_from_body = pose;
       break;

@@ -9,12 +9,11 @@
 #include "tracking/grey_picture.h"
 #include "tracking/marker_body.h"
 #include "tracking/pattern_rows.h"
+#include "tracking/pose_step.h"
 
 #include "core/geometry.h"
 
 namespace bodkin::tracking {
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 // A pose after refinement.
 struct RefinedPose {

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/pose_step.h"
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "core/error.h"
@@ -92,30 +93,31 @@ PivotCalibration calibrate_pivot(const std::vector<TimedPose>& poses, const Pivo
   std::vector<Pose> used = slow_ones(poses, gate.fastest, made.too_fast);
   for (int turn = 0; turn < most_turns; ++turn) {
     require_enough(used, gate.least_poses, made.too_fast);
-    const auto rows = static_cast<Eigen::Index>(3 * used.size());
-    Eigen::MatrixXd left(rows, 6);
-    Eigen::VectorXd right(rows);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(3 * i);
-      left.block<3, 3>(at, 0) = used[i].linear();
-      left.block<3, 3>(at, 3) = -Mat3::Identity();
-      right.segment<3>(at) = -used[i].translation();
+    // R_i tip - pivot = -t_i for all poses, by the normal equations.
+    Matrix6 normal = Matrix6::Zero();
+    Vector6 right = Vector6::Zero();
+    for (const Pose& pose : used) {
+      Eigen::Matrix<double, 3, 6> row;
+      row << pose.linear(), -Mat3::Identity();
+      normal += row.transpose() * row;
+      right -= row.transpose() * pose.translation();
     }
-    const Eigen::Matrix<double, 6, 6> normal = left.transpose() * left;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spread(normal);
-    if (spread.eigenvalues()[0] < 1e-9 * spread.eigenvalues()[5]) {
+    const Eigen::LDLT<Matrix6> solved(normal);
+    const Vector6 pivots = solved.vectorD();
+    if (pivots.minCoeff() < 1e-9 * pivots.maxCoeff()) {
       throw InputError("the body turned about one axis only, which leaves its tip open; tilt it in all directions");
     }
-    const Eigen::VectorXd solved = left.colPivHouseholderQr().solve(right);
-    made.tip = solved.head<3>();
-    made.pivot = solved.tail<3>();
+    const Vector6 found = solved.solve(right);
+    made.tip = found.head<3>();
+    made.pivot = found.tail<3>();
     std::vector<double> error;
     for (const Pose& pose : used) error.push_back((pose * made.tip - made.pivot).norm());
     made.used = static_cast<int>(used.size());
     made.rms = rms_of(error);
     made.mean = mean_of(error);
-    const double variance = made.rms * made.rms * static_cast<double>(used.size()) / static_cast<double>(rows - 6);
-    made.deviation = std::sqrt(variance * normal.inverse().topLeftCorner<3, 3>().trace());
+    const double poses_used = static_cast<double>(used.size());
+    const double variance = made.rms * made.rms * poses_used / (3.0 * poses_used - 6.0);
+    made.deviation = std::sqrt(variance * inverse_of(normal).topLeftCorner<3, 3>().trace());
     if (!leave_out(used, error, gate.outlier, made.outliers)) break;
   }
   made.cone = 0.0;

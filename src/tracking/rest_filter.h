@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "tracking/photometric_refinement.h"
+#include "tracking/pose_step.h"
 
 #include "core/geometry.h"
 
