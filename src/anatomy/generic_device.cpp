@@ -8,10 +8,11 @@ namespace {
 struct Step {
   int gauge;                // of the thinnest needle that it is for
   double peak, continuous;  // N
+  double stiffness;         // N/mm
 };
 
 // The thickest first. Thinner needles have the device that nothing is said of.
-constexpr std::array<Step, 2> for_thick_needles = {{{17, 20.0, 7.0}, {19, 12.0, 4.0}}};
+constexpr std::array<Step, 2> for_thick_needles = {{{17, 20.0, 7.0, 2.0}, {19, 12.0, 4.0, 2.0}}};
 
 }  // namespace
 
@@ -22,6 +23,7 @@ DeviceLimits generic_device(const Needle& needle, Mechanics mechanics) {
     if (needle.outer_diameter < gauge_size(step.gauge)->outer_diameter) continue;
     device.peak_force = step.peak;
     device.continuous_force = step.continuous;
+    device.stiffness = step.stiffness;
     break;
   }
   return device;

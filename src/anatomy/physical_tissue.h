@@ -41,7 +41,7 @@ struct PhysicalTissue {
         Parameter{"dimpling_mm", &S::dimpling, above(0.0, 50.0), "mm",
                   "by which the boundary is pushed in before it gives way", Origin::literature},
         Parameter{"cutting_share", &S::cutting_share, Range{0.0, 1.0}, "",
-                  "of the puncture force, that cutting on inside the tissue takes; 0: its boundary alone resists",
+                  "of the force that tears the boundary, that cutting on inside takes; 0: the boundary alone resists",
                   Origin::literature},
         Parameter{"friction_MPa", &S::friction, Range{0.0, 1.0}, "MPa", "force per area of the sliding shaft",
                   Origin::choice},

@@ -111,9 +111,13 @@ double trailing_of(const anatomy::Case& patient) {
 
 }  // namespace
 
+double torn_factor(const anatomy::Needle& needle) noexcept {
+  return torn_share * torn(needle.tip);
+}
+
 double tip_factor(const anatomy::Needle& needle) noexcept {
   const double spread = std::tan(radians(anatomy::bevel_angle(needle))) / std::tan(radians(usual_bevel));
-  return torn_share * torn(needle.tip) + (1.0 - torn_share) * spread;
+  return torn_factor(needle) + (1.0 - torn_share) * spread;
 }
 
 double puncture_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {
@@ -124,7 +128,7 @@ double puncture_force(const anatomy::PhysicalTissue& tissue, const anatomy::Need
 }
 
 double cutting_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {
-  return tissue.cutting_share * puncture_force(tissue, needle);
+  return tissue.cutting_share * puncture_force(tissue, needle) * torn_factor(needle) / tip_factor(needle);
 }
 
 double boundary_stiffness(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {

@@ -14,8 +14,8 @@ namespace bodkin::forces {
 //   c = 0.77 s + 0.23 tan b / tan 20 deg  s: what is torn, b: bevel. Shares 61 : 18 of Barnett et al. 2015 without
 //                                         the friction of the shaft
 //   k = F_ref/x_ref d/d_ref               stiffness before puncture, that of a punch; dimpling x = F_p/k
-//   F_c = share F_p                       cutting on inside the tissue; of the ligamentum flavum what Barnett et al.
-//   tore f = tau pi d                          N per mm of shaft: friction on its perimeter
+//   F_c = share F_p 0.77 s/c              cutting on inside the tissue: it tears as before, and is spread already
+//   f = tau pi d                          N per mm of shaft: friction on its perimeter
 
 // c, 1 for a quincke needle. A tip without an edge stretches its hole open, s = 1.22: taper-point needles need 1.08
 // times the force of cutting ones in human skin (mean of three pairs, Maloney et al.). A trephine cuts a whole ring,

@@ -21,6 +21,7 @@ TEST(GenericDevice, is_strong_enough_for_the_needle_and_never_weaker_for_a_thick
     EXPECT_EQ(device.profile, "generic");
     EXPECT_LE(device.peak_force, before) << size.gauge;
     EXPECT_LT(device.continuous_force, device.peak_force);
+    EXPECT_LE(device.peak_force / device.stiffness, 10.0) << "mm, its own give at that force";
     before = device.peak_force;
   }
   // N, what the ligamentum flavum takes with a Tuohy needle (docs/running.md), and to spare for the shaft's friction.

@@ -692,8 +692,8 @@
         <translation>F_c, längs der Nadel, bei der ihre Spitze im Gewebe weiterschneidet</translation>
     </message>
     <message>
-        <source>of the puncture force, that cutting on inside the tissue takes; 0: its boundary alone resists</source>
-        <translation>der Durchstichkraft, die das Weiterschneiden im Gewebe braucht; 0: nur die Grenze widersteht</translation>
+        <source>of the force that tears the boundary, that cutting on inside takes; 0: the boundary alone resists</source>
+        <translation>der Kraft, die die Grenze zerreißt; so viel braucht das Weiterschneiden darin; 0: nur die Grenze widersteht</translation>
     </message>
     <message>
         <source>F_p, along the needle, at which the tissue gives way; 0: at once</source>
