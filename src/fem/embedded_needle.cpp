@@ -253,7 +253,7 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
   contact.own_compliance = 0.5 * (compliance.row(index, 1)[3 * index + 1] + compliance.row(index, 2)[3 * index + 2]);
   contact.full_capture_length = std::min(node.length, settings_.capture_radius);
   contact.moved = moved(0);
-  contact.slip = tip_ - moved(0);
+  contact.slip = tip_ - advance_ - moved(0);  // before this tick, since `moved` is: what sticks goes with the needle
   contact.anchor = shaft_offset(index) - moved.tail<2>();
   captured_ = index + 1;
   if (blocked()) add_next_before_tip();
@@ -319,8 +319,8 @@ void EmbeddedNeedle::update_capture() noexcept {
 
 // The bevel moves the hole of a node with a rigid constraint sideways while the tip passes through the next node's
 // part of the line, as long as friction has dissipated enough energy for it.
-void EmbeddedNeedle::cut_aside(double advance) noexcept {
-  if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance > 0.0)) return;
+void EmbeddedNeedle::cut_aside() noexcept {
+  if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance_ > 0.0)) return;
   double used = 0.0;
   for (std::size_t i = captured_ - std::min(captured_, bevelled_nodes); i + 1 < captured_; ++i) {
     NodeContact& contact = contacts_[i];
@@ -371,7 +371,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
   }
   const Vec3 place = frame_.transpose() * from_entry;
   const Vec3 tilted = frame_.transpose() * axis;
-  const double advance = fresh_ ? 0.0 : place(0) - tip_;
+  advance_ = fresh_ ? 0.0 : place(0) - tip_;
   tip_ = place(0);
   offset_ = place.tail<2>();
   slope_ = tilted.tail<2>() / tilted(0);
@@ -389,7 +389,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     add_next_before_tip();
     capture();
     update_capture();
-    cut_aside(advance);
+    cut_aside();
     solve_contacts();
     puncture();
     provisional_ = provisional_force();

@@ -202,7 +202,7 @@ class EmbeddedNeedle {
   void update_cutting() noexcept;
   double cutting_force() const noexcept;
   void set_lateral_compliance(double lateral_compliance) noexcept;
-  void cut_aside(double advance) noexcept;
+  void cut_aside() noexcept;
   void solve_contacts() noexcept;
   void place() noexcept;
   void solve() noexcept;
@@ -248,6 +248,7 @@ class EmbeddedNeedle {
   Vec3 entry_ = Vec3::Zero();
   Mat3 frame_ = Mat3::Identity();  // columns: along the line, across, across
   double tip_ = 0.0;               // s, mm
+  double advance_ = 0.0;           // mm, in this tick
   double cut_ = 0.0;               // mm, where the last node touched the needle at the deepest cut
   bool cutting_ = false;           // the tip was there in the last tick
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(), slope_ = Eigen::Vector2d::Zero();
