@@ -2,7 +2,7 @@
 # window, one for testing.
 
 packages_to_run=(
-  g++ cmake ninja-build ccache pkg-config
+  clang lld cmake ninja-build ccache pkg-config
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
   libxml2-dev libcsv-dev libpng-dev zlib1g-dev libdeflate-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev libpqxx-dev
   libceres-dev libboost-dev libsimdjson-dev libopenblas-dev libmetis-dev libcgal-dev
@@ -18,8 +18,8 @@ packages_of_app=(
 )
 
 packages_to_test=(
-  git libgtest-dev libgmock-dev libbenchmark-dev doxygen
-  clang clang-format clang-tidy libclang-rt-14-dev lld llvm libxml2-utils poppler-utils
+  g++ git libgtest-dev libgmock-dev libbenchmark-dev doxygen
+  clang-format clang-tidy libclang-rt-14-dev llvm libxml2-utils poppler-utils
   xvfb xauth xdotool imagemagick
   libsuitesparse-dev calculix-ccx libopenigtlink-dev openmpi-bin
   postgresql curl chromium-headless-shell
