@@ -123,7 +123,7 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
   ContactTissues tissues;
   for (const TissueProperties& tissue : patient.library.tissues()) {
     const DeformableTissue& here = tissue.deformable;
-    tissues[tissue.id] = {here.friction, here.puncture_force, here.stiffness};
+    tissues[tissue.id] = {.friction = here.friction, .puncture_force = here.puncture_force};
   }
   EmbeddedNeedle needle(*patient.corridor.body, tissues, settings, one_tick);
   bool begun = false;
