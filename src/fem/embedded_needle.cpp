@@ -305,8 +305,8 @@ void EmbeddedNeedle::update_capture() noexcept {
     const ContactNode& node = line()[i];
     const double length = std::clamp(tip_ - depth_now(i), 0.0, node.length);
     NodeContact& contact = contacts_[i];
-    const double most = std::max(tissues_[node.tissue].puncture_force, tissues_[node.tissue].cutting_force);
-    contact.puncture_residual = std::max(0.0, contact.puncture_residual - most * dt_ / settings_.puncture_time);
+    contact.puncture_residual =
+        std::max(0.0, contact.puncture_residual - contact.fading * dt_ / settings_.puncture_time);
     contact.limit = tissues_[node.tissue].friction * length + contact.puncture_residual;
   }
   update_cutting();
@@ -353,6 +353,7 @@ void EmbeddedNeedle::puncture() noexcept {
   contact.slip = cut_ = slip;
   cutting_ = true;
   contact.puncture_residual = contact.limit = force;
+  contact.fading = strength;
   force_.puncture = TissuePuncture{node.tissue, tip_, force, body_.nodes[node.index]};
 }
 

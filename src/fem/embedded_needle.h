@@ -158,7 +158,8 @@ class EmbeddedNeedle {
   struct NodeContact {
     double slip = 0.0;                                 // z, mm; in front of the tip: where the tip touches it
     double sense = 1.0;                                // direction of sliding, -1 or 1
-    double puncture_residual = 0.0;                    // N
+    double puncture_residual = 0.0;                    // N, that is left of the force of a puncture or a cut
+    double fading = 0.0;                               // N, of it, that go in puncture_time
     double limit = 0.0;                                // N, friction limit of this tick
     double cutting = 0.0;                              // N, by which it is higher inwards, where the tip cuts
     double moved = 0.0;                                // mm, u along the needle

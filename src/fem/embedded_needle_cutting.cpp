@@ -62,6 +62,7 @@ void EmbeddedNeedle::update_cutting() noexcept {
     if (wanted == 0.0 && contact.cutting > 0.0) {
       const double used = std::clamp(forces_[3 * i] - contact.limit, 0.0, contact.cutting);
       contact.puncture_residual += used;
+      contact.fading = contact.puncture_residual;
       contact.limit += used;
     }
     contact.cutting = std::max(0.0, wanted - contact.puncture_residual);

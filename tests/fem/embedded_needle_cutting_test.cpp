@@ -74,8 +74,9 @@ TEST(EmbeddedNeedleCutting, what_has_been_cut_is_open_and_what_lies_deeper_is_no
   rig.move(8.0, 10.0);
   rig.move(6.0, 10.0);
   EXPECT_NEAR(rig.force.resistance, -rubs * 6.0, 1e-3);
+  rig.move(6.02, 0.02);  // slowly: tissue of 400 N/mm closes on the shaft
   double most = 0.0;
-  for (double depth = 6.0; depth < 7.9; depth += 0.01) most = std::max(most, rig.to(depth).resistance);
+  for (double depth = 6.02; depth < 7.9; depth += 0.01) most = std::max(most, rig.to(depth).resistance);
   EXPECT_LT(most, rubs * 7.9 + 0.01);
   rig.move(8.3, 10.0);
   EXPECT_NEAR(rig.force.resistance, rubs * 8.3 + cutting, 0.05);
@@ -105,7 +106,7 @@ TEST(EmbeddedNeedleCutting, the_layer_is_left_at_its_far_side_in_the_tissue_as_i
     ASSERT_LE(rig.force.material_depth, left == 0.0 ? far_side : far_side + 0.2) << depth;
   }
   ASSERT_GT(gives_way, near_side + 0.5);
-  EXPECT_GT(left, far_side + 0.5 * (gives_way - near_side));
+  EXPECT_GT(left, far_side + 0.5);  // the next point, 1 mm ahead, has moved by less than that at the tip
   EXPECT_LT(left, far_side + (gives_way - near_side));
   EXPECT_GT(before, cutting);
   for (int tick = 0; tick < 60; ++tick) rig.to(left);
