@@ -203,7 +203,6 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
   bevel_energy_ = provisional_ = cut_ = 0.0;
-  cutting_ = false;
   surface_ = {};
   captured_ = placed_ = 0;
   moves_ = false;
@@ -351,7 +350,6 @@ void EmbeddedNeedle::puncture() noexcept {
   punctured_[node.index] = punctured_now;
   NodeContact& contact = contacts_[captured_ - 1];
   contact.slip = cut_ = slip;
-  cutting_ = true;
   contact.puncture_residual = contact.limit = force;
   contact.fading = strength;
   force_.puncture = TissuePuncture{node.tissue, tip_, force, body_.nodes[node.index]};

@@ -251,7 +251,6 @@ class EmbeddedNeedle {
   double tip_ = 0.0;               // s, mm
   double advance_ = 0.0;           // mm, in this tick
   double cut_ = 0.0;               // mm, where the last node touched the needle at the deepest cut
-  bool cutting_ = false;           // the tip was there in the last tick
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero(), slope_ = Eigen::Vector2d::Zero();
   ShaftRoot root_;
   Eigen::Vector2d turn_ = Eigen::Vector2d::Zero();  // rad, rotation of a pinned hub from the pose

@@ -43,10 +43,9 @@ bool EmbeddedNeedle::is_whole(std::size_t index) const noexcept {
 // it goes from one to the other as the tip goes on. What a node has of it when the cut has gone on ebbs away as the
 // force of a puncture does.
 void EmbeddedNeedle::update_cutting() noexcept {
-  const bool at_cut = is_at_cut();
   const std::size_t last = captured_ - std::min<std::size_t>(captured_, 1);
   double of_last = 0.0, of_one_before = 0.0;
-  if (at_cut) {
+  if (is_at_cut()) {
     const ContactNode& node = line()[last];
     const double force = tissues_[node.tissue].cutting_force;
     const bool two = last > 0 && line()[last - 1].tissue == node.tissue && contacts_[last - 1].whole;
@@ -58,7 +57,6 @@ void EmbeddedNeedle::update_cutting() noexcept {
   for (std::size_t i = 0; i < captured_; ++i) {
     NodeContact& contact = contacts_[i];
     const double wanted = i == last ? of_last : i + 1 == last ? of_one_before : 0.0;
-    if (wanted > 0.0 && !cutting_ && !constraints_.constrained_along(i)) constraints_.constrain_along(i);
     if (wanted == 0.0 && contact.cutting > 0.0) {
       const double used = std::clamp(forces_[3 * i] - contact.limit, 0.0, contact.cutting);
       contact.puncture_residual += used;
@@ -67,7 +65,6 @@ void EmbeddedNeedle::update_cutting() noexcept {
     }
     contact.cutting = std::max(0.0, wanted - contact.puncture_residual);
   }
-  cutting_ = at_cut;
 }
 
 // N, by which the tissue at the tip resists being cut.

@@ -218,6 +218,26 @@ TEST(EmbeddedNeedle, no_way_gives_more_work_than_went_in) {
   EXPECT_LT(least, 1.0);  // N mm: with little friction, little is lost
 }
 
+// Tissue that was pushed in closes on the shaft, all of it in a few ticks.
+TEST(EmbeddedNeedle, work_less_stored_energy_never_falls_behind_a_border_that_has_given_way) {
+  ContactTissues tissues = checks::plain_tissues(0.05);
+  tissues[tissue::soft].puncture_force = 0.3;
+  for (const double speed : {50.0, 120.0, 230.0, 480.0}) {
+    NeedleRig rig(soft_body(), tissues);
+    double most = 0.0;
+    std::size_t punctures = 0;
+    for (double depth = -1.0; depth < 14.0; depth += speed * 1e-3) {
+      rig.to(depth);
+      punctures += rig.force.puncture.has_value() ? 1 : 0;
+      const double left = rig.work - rig.model.stored_energy();
+      ASSERT_GT(left, most - 1e-9) << speed << " mm/s at " << depth;
+      most = std::max(most, left);
+    }
+    EXPECT_EQ(punctures, 1u);
+    EXPECT_GT(rig.force.nodes, 8u);
+  }
+}
+
 TEST(EmbeddedNeedle, tilting_needles_give_no_work_either) {
   Random random(3);
   for (int trial = 0; trial < (sanitized ? 3 : 30); ++trial) {
