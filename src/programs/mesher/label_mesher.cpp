@@ -33,7 +33,6 @@ constexpr double radius_to_edge = 2.0;
 constexpr double sliver_bound = 12.0;        // degrees of dihedral angle that the improvement aims at
 constexpr double intersection_error = 1e-5;  // of the box's diagonal
 constexpr double first_points = 2.5;         // wanted edges between the first points on the interfaces
-constexpr double shortest_step = 0.25;       // voxels
 
 // The lattice as CGAL asks about it.
 class Field {
