@@ -93,7 +93,8 @@ anatomy::TissueId TipInLayers::step(double depth, anatomy::TissueId at_tip, cons
     if (inside != announced_ && std::abs(announced_at_ - reached) > least_change) enter(inside, depth, events);
   }
   deepest_ = std::max(deepest_, passed_);
-  return inside;
+  // On the way in it is the last tissue that was entered: the voxels have a boundary where the tip does not press yet.
+  return advances && announced_ != anatomy::tissue::air ? announced_ : inside;
 }
 
 }  // namespace bodkin::simulation

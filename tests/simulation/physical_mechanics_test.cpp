@@ -67,11 +67,11 @@ struct PushedIn {
   }
 };
 
-PushedIn pushed_through(const Case& patient, double to, double speed = 10.0) {
+PushedIn pushed_through(const Case& patient, double to, double speed = 10.0, const Vec3& axis = Vec3::UnitZ()) {
   HapticTick tick(patient);
   PushedIn found;
   for (double depth = -2.0; depth < to; depth += speed * tick.dt()) {
-    const TickOutput output = tick.step({needle_pose(Vec3(0.0, 0.0, depth), Vec3::UnitZ())});
+    const TickOutput output = tick.step({needle_pose(depth * axis, axis)});
     found.events.insert(found.events.end(), output.events.begin(), output.events.end());
     found.resistance.push_back(output.resistance);
     found.depth.push_back(output.depth);
@@ -101,6 +101,29 @@ TEST(PhysicalMechanics, every_model_that_knows_layers_tells_the_same_events_in_t
                                               tissue::interspinous_ligament, tissue::ligamentum_flavum,
                                               tissue::epidural_fat, tissue::dura, tissue::cerebrospinal_fluid}))
         << name;
+  }
+}
+
+// Obliquely, so that no boundary lies where a model has one.
+TEST(PhysicalMechanics, the_tip_is_in_one_tissue_after_another_and_never_in_one_again) {
+  const std::vector<TissueId> expected = {tissue::skin,
+                                          tissue::fat,
+                                          tissue::muscle,
+                                          tissue::interspinous_ligament,
+                                          tissue::ligamentum_flavum,
+                                          tissue::epidural_fat,
+                                          tissue::dura,
+                                          tissue::cerebrospinal_fluid};
+  for (const ResistanceSettings& resistance :
+       std::vector<ResistanceSettings>{LayeredSettings{}, TrackingWallSettings{}, wall_on_leash(),
+                                       DepthProfileSettings{}, VolumeProxySettings{}}) {
+    for (const double tilt : {0.1, 0.17, 0.23}) {
+      const Vec3 axis(0.0, std::sin(tilt), std::cos(tilt));
+      std::vector<TissueId> passed = pushed_through(described_spine(resistance), 55.0, 10.0, axis).tissue;
+      std::erase(passed, tissue::air);
+      passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+      EXPECT_EQ(passed, expected) << name_of(resistance) << ", tilted by " << tilt;
+    }
   }
 }
 
