@@ -93,8 +93,10 @@ anatomy::TissueId TipInLayers::step(double depth, anatomy::TissueId at_tip, cons
     if (inside != announced_ && std::abs(announced_at_ - reached) > least_change) enter(inside, depth, events);
   }
   deepest_ = std::max(deepest_, passed_);
-  // On the way in it is the last tissue that was entered: the voxels have a boundary where the tip does not press yet.
-  return advances && announced_ != anatomy::tissue::air ? announced_ : inside;
+  // On the way in the voxels may have a boundary where a model does not press yet. What has to give way is not
+  // entered there.
+  const bool is_whole = advances && announced_ != anatomy::tissue::air && strength_[inside] > least_told;
+  return is_whole ? announced_ : inside;
 }
 
 }  // namespace bodkin::simulation
