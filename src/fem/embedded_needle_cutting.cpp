@@ -40,8 +40,8 @@ bool EmbeddedNeedle::is_whole(std::size_t index) const noexcept {
 }
 
 // The force of the cut is friction that acts inwards alone, on the last node of the shaft; of two nodes of one layer
-// it goes from one to the other as the tip goes on. What a node has of it when the cut has gone on ebbs away as the
-// force of a puncture does.
+// it goes from one to the other as the tip goes on. What a node has of it when the cut has gone on
+// fades as the force of a puncture does.
 void EmbeddedNeedle::update_cutting() noexcept {
   const std::size_t last = captured_ - std::min<std::size_t>(captured_, 1);
   double of_last = 0.0, of_one_before = 0.0;

@@ -41,6 +41,11 @@ double torn(anatomy::NeedleTip tip) noexcept {
   return 1.0;
 }
 
+// Of tip_factor(), what tears.
+double torn_factor(const anatomy::Needle& needle) noexcept {
+  return torn_share * torn(needle.tip);
+}
+
 const anatomy::PhysicalTissue* skin_of(const anatomy::Case& patient) noexcept {
   if (patient.description.haptics.mechanics != anatomy::Mechanics::physical) return nullptr;
   const anatomy::TissueProperties* skin = patient.library.find(anatomy::tissue::skin);
@@ -110,10 +115,6 @@ double trailing_of(const anatomy::Case& patient) {
 }
 
 }  // namespace
-
-double torn_factor(const anatomy::Needle& needle) noexcept {
-  return torn_share * torn(needle.tip);
-}
 
 double tip_factor(const anatomy::Needle& needle) noexcept {
   const double spread = std::tan(radians(anatomy::bevel_angle(needle))) / std::tan(radians(usual_bevel));
