@@ -73,11 +73,10 @@ struct EmbeddedNeedleForce {
 //
 // Forces are continuous. At a puncture F_p becomes friction that decays to F_c within puncture_time, and F_c to zero
 // when the tip has left the layer. Until then the layer's nodes, and the one behind it, are met at the depth of the
-// tissue as it has moved. A newly
-// captured node has a soft lateral constraint, which stiffens as the tip moves on and softens again on withdrawal. No
-// law generates energy: each is elastic, frictional, or a compliance that grows at constant displacement and shrinks
-// at constant force. Displacements are small: depths and lengths are those at rest. Numerical method, choices and
-// proofs: docs/fem-contact.md, docs/flexible-needle.md.
+// tissue as it has moved. A newly captured node has a soft lateral constraint, which stiffens as the tip moves on and
+// softens again on withdrawal. No law generates energy: each is elastic, frictional, or a compliance that grows at
+// constant displacement and shrinks at constant force. Displacements are small: depths and lengths are those at rest.
+// Numerical method, choices and proofs: docs/fem-contact.md, docs/flexible-needle.md.
 //
 // begin() resets the state; punctured nodes are remembered until reset(). The same sequence of calls gives the same
 // bits. Memory is allocated by the constructor; no other function throws, allocates, locks or reads a clock.
