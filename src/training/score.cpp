@@ -114,9 +114,16 @@ class Scorer {
       require_known_tissue(tissue, procedure_);
       return std::nullopt;
     }
-    for (std::size_t i = from; i < attempt_.size(); ++i)
-      if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) return i;
-    return std::nullopt;
+    std::optional<std::size_t> first;
+    for (std::size_t i = from; i < attempt_.size() && !first; ++i)
+      if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) first = i;
+    // A tip that jumps through a ligament is not in it at any tick.
+    for (const session::SessionEvent& each : attempt_.session().events) {
+      if (each.event.kind != forces::EventKind::tissue_entered || each.event.tissue != *id) continue;
+      const std::size_t at = attempt_.index_of(each);
+      if (at >= from && (!first || at < *first)) first = at;
+    }
+    return first;
   }
 
   std::optional<std::size_t> first_event(const std::string& name, std::size_t from = 0) const {

@@ -70,6 +70,26 @@ TEST(Score, every_step_is_found_with_its_time_and_depth) {
 }
 
 // One tick in a nerve, at any place of an attempt that is otherwise without fault.
+TEST(Score, a_ligament_that_the_tip_jumps_through_was_crossed) {
+  WrittenSession written;
+  written.to(0, 500, WrittenSession::air).event(EventKind::contact, tissue::skin);
+  written.to(5, 1000, {true, tissue::skin, 1.0}).event(EventKind::puncture, tissue::skin, 1.3);
+  written.to(42, 6000, {true, tissue::interspinous_ligament, 5.0});
+  const double jumped = written.session().ticks.size() * written.session().header.dt;
+  written.event(EventKind::tissue_entered, tissue::ligamentum_flavum);
+  written.event(EventKind::loss_of_resistance, tissue::epidural_fat, 4.5);
+  written.to(43, 200, {true, tissue::epidural_fat, 0.5}).rest(1000, {true, tissue::epidural_fat, 0.2});
+  bool found = false;
+  for (const StepResult& step : score_of(written).steps) {
+    if (step.title != "Cross the ligamentum flavum") continue;
+    found = true;
+    ASSERT_TRUE(step.time.has_value());
+    EXPECT_NEAR(*step.time, jumped, 0.01);
+    EXPECT_NEAR(*step.depth, 42.0, 0.1);
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(Score, one_tick_in_a_nerve_is_dangerous_whatever_else_was_reached) {
   const std::size_t count = good_puncture().session().ticks.size();
   Random random(5);

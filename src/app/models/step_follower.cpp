@@ -28,7 +28,14 @@ void StepFollower::begin() {
 
 bool StepFollower::shows(const Frame& frame, std::size_t step) const {
   const anatomy::TissueId tissue = watched_[step].tissue;
-  if (tissue != anatomy::tissue::air) return frame.depth > 0.0 && frame.tissue == tissue;
+  if (tissue != anatomy::tissue::air) {
+    // A tip that jumps through a ligament is in it in no picture.
+    const bool is_passed =
+        std::any_of(frame.events.begin(), frame.events.end(), [tissue](const session::SessionEvent& event) {
+          return event.event.kind == forces::EventKind::tissue_entered && event.event.tissue == tissue;
+        });
+    return frame.depth > 0.0 && (frame.tissue == tissue || is_passed);
+  }
   const std::string& wanted = procedure_.steps[step].event;
   return !wanted.empty() &&
          std::any_of(frame.events.begin(), frame.events.end(), [&](const session::SessionEvent& event) {
