@@ -50,7 +50,7 @@ Similarity closed_form(const std::vector<Vec3>& fixed, const std::vector<Vec3>& 
 }
 
 // Of a symmetric, positive definite matrix.
-Eigen::MatrixXd inverse_of_any(const Eigen::MatrixXd& matrix) {
+Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& matrix) {
   return matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
 }
 
@@ -175,7 +175,7 @@ Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>
     normal += slope.transpose() * slope;
     spread += slope.transpose() * covariances[i] * slope;
   }
-  const Eigen::MatrixXd inverse = inverse_of_any(normal.topLeftCorner(unknowns, unknowns));
+  const Eigen::MatrixXd inverse = symmetric_inverse(normal.topLeftCorner(unknowns, unknowns));
   const Eigen::MatrixXd parameters = inverse * spread.topLeftCorner(unknowns, unknowns) * inverse;
   const Eigen::MatrixXd at_target = displacement(registration.fixed_from_moving * target - middle).leftCols(unknowns);
   return at_target * parameters * at_target.transpose();
@@ -195,7 +195,7 @@ ErrorInterval tre_interval(const Registration& registration, const std::vector<V
   }
   // What the fit leaves of the errors.
   const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(3 * count, 3 * count) -
-                               slopes * inverse_of_any(slopes.transpose() * slopes) * slopes.transpose();
+                               slopes * symmetric_inverse(slopes.transpose() * slopes) * slopes.transpose();
   const Eigen::MatrixXd rest = left * spread;
   const double expected = rest.trace(), freedom = 2.0 * expected * expected / (2.0 * (rest * rest).trace());
   const double squares = static_cast<double>(count) * registration.fre_rms * registration.fre_rms;
