@@ -1,10 +1,12 @@
 #pragma once
 
-// A body solved by CalculiX (C3D4, SPOOLES), a program that is not ours. It prints seven digits.
+// A body solved by CalculiX (SPOOLES), a program that is not ours. It prints seven digits.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -49,37 +51,54 @@ inline std::string calculix_material(const ElasticMaterial& material) {
       young[0], young[1], young[2], ratio[0], ratio[1], ratio[2], shear[0], shear[1], shear[2]);
 }
 
-// The input of CalculiX: the mesh with its materials, the fixed nodes, and the way of some others. It reads no more
-// than 20 characters of a number.
-inline std::string calculix_input(const BodyDescription& body, const std::vector<std::uint32_t>& moved,
-                                  const Eigen::VectorXd& way) {
+// A mesh with its materials, and the nodes of it that are fixed; CalculiX reads no more than 20 characters of a
+// number. With `edges`, all of them, its elements are of second order (C3D10), and the middles of the edges are nodes
+// behind the mesh's.
+inline std::string calculix_mesh(const BodyDescription& body, const QuadraticEdges& edges = {}) {
   std::string text = "*NODE, NSET=ALL\n";
-  for (std::size_t node = 0; node < body.mesh.nodes.size(); ++node) {
-    const Vec3& x = body.mesh.nodes[node];
-    text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", node + 1, x.x(), x.y(), x.z());
+  std::size_t number = 0;
+  for (const Vec3& x : body.mesh.nodes)
+    text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", ++number, x.x(), x.y(), x.z());
+  std::vector<std::string> fixed;
+  for (const std::uint32_t node : body.fixed) fixed.push_back(fmt::format("{}, 1, 3\n", node + 1));
+  std::map<std::array<std::uint32_t, 2>, std::size_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const std::array<std::uint32_t, 2> ends = {std::min(a, b), std::max(a, b)};
+    const std::uint32_t unknown = edges.unknown(a, b);
+    const auto [found, is_new] = middles.try_emplace(
+        ends, unknown != QuadraticEdges::none ? body.mesh.nodes.size() + 1 + unknown - edges.first_unknown()
+                                              : body.mesh.nodes.size() + 1 + edges.size() + middles.size());
+    if (!is_new) return found->second;
+    const Vec3 x = 0.5 * (body.mesh.nodes[a] + body.mesh.nodes[b]);
+    text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", found->second, x.x(), x.y(), x.z());
+    if (unknown == QuadraticEdges::none) fixed.push_back(fmt::format("{}, 1, 3\n", found->second));
+    return found->second;
+  };
+  std::map<TissueId, std::string> elements;
+  for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
+    const auto& c = body.mesh.elements[element];
+    std::string& lines = elements[body.mesh.tissues[element]];
+    lines += fmt::format("{}, {}, {}, {}, {}", element + 1, c[0] + 1, c[1] + 1, c[2] + 1, c[3] + 1);
+    if (edges.size() > 0)
+      lines += fmt::format(", {}, {}, {}, {}, {}, {}", middle(c[0], c[1]), middle(c[1], c[2]), middle(c[0], c[2]),
+                           middle(c[0], c[3]), middle(c[1], c[3]), middle(c[2], c[3]));
+    lines += "\n";
   }
-  for (int id = 0; id < 256; ++id) {
-    std::string elements;
-    for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
-      if (body.mesh.tissues[element] != id) continue;
-      const auto& corner = body.mesh.elements[element];
-      elements += fmt::format("{}, {}, {}, {}, {}\n", element + 1, corner[0] + 1, corner[1] + 1, corner[2] + 1,
-                              corner[3] + 1);
-    }
-    if (elements.empty()) continue;
-    const ElasticMaterial& material = *body.materials.find(static_cast<TissueId>(id));
-    text += fmt::format("*ELEMENT, TYPE=C3D4, ELSET=TISSUE{}\n{}", id, elements);
-    text += fmt::format("*MATERIAL, NAME=MATERIAL{0}\n{1}*SOLID SECTION, ELSET=TISSUE{0}, MATERIAL=MATERIAL{0}\n", id,
-                        calculix_material(material));
+  for (const auto& [tissue, lines] : elements) {
+    text += fmt::format("*ELEMENT, TYPE={}, ELSET=TISSUE{}\n{}", edges.size() > 0 ? "C3D10" : "C3D4", tissue, lines);
+    text += fmt::format("*MATERIAL, NAME=MATERIAL{0}\n{1}*SOLID SECTION, ELSET=TISSUE{0}, MATERIAL=MATERIAL{0}\n",
+                        tissue, calculix_material(*body.materials.find(tissue)));
   }
   text += "*BOUNDARY\n";
-  for (const std::uint32_t node : body.fixed) text += fmt::format("{}, 1, 3\n", node + 1);
-  text += "*STEP\n*STATIC\n*BOUNDARY\n";
-  for (std::size_t i = 0; i < moved.size(); ++i)
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      text += fmt::format("{0}, {1}, {1}, {2:.12g}\n", moved[i] + 1, axis + 1,
-                          way(3 * static_cast<Eigen::Index>(i) + axis));
-  return text + "*NODE PRINT, NSET=ALL\nU, RF\n*END STEP\n";
+  for (const std::string& line : fixed) text += line;
+  return text + "*STEP\n*STATIC\n";
+}
+
+// Runs CalculiX on this input, body.inp in `folder`; false: it could not.
+inline bool calculix_ran(const ScratchFolder& folder, const std::string& input) {
+  folder.write("body.inp", input);
+  const std::string command = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
+  return std::system(command.c_str()) == 0;
 }
 
 // The table of the .dat file whose title begins with `title`: 3 values for every node.
@@ -122,9 +141,12 @@ inline void expect_what_calculix_says(const BodyDescription& body, std::size_t c
   const Eigen::VectorXd ours = elastic.displacement_by_corridor(on_corridor);
   const Eigen::VectorXd our_forces = elastic_forces(body.mesh, body.materials, ours);
 
-  folder.write("body.inp", calculix_input(body, moved, way));
-  const std::string command = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  std::string input = calculix_mesh(body) + "*BOUNDARY\n";
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      input += fmt::format("{0}, {1}, {1}, {2:.12g}\n", moved[i] + 1, axis + 1,
+                           way(3 * static_cast<Eigen::Index>(i) + axis));
+  ASSERT_TRUE(calculix_ran(folder, input + "*NODE PRINT, NSET=ALL\nU, RF\n*END STEP\n"));
   const std::size_t nodes = body.mesh.nodes.size();
   const Eigen::VectorXd theirs = calculix_table(folder.path() / "body.dat", "displacements", nodes);
   const Eigen::VectorXd their_forces = calculix_table(folder.path() / "body.dat", "forces", nodes);

@@ -30,10 +30,13 @@ std::vector<bool> fixed_nodes(const BodyDescription& body) {
 ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, PackedFactor factor)
     : body_(std::move(body)),
       fixed_(fixed_nodes(*body_)),
+      stiff_skin_(elements_of_stiff_skin(body_->mesh, body_->materials, fixed_)),
+      edges_(body_->mesh, stiff_skin_, fixed_),
       factor_(std::make_shared<const PackedFactor>(std::move(factor))),
       finder_(body_->mesh) {
   std::uint32_t free = 0;
   for (const bool fixed : fixed_) free_nodes_.push_back(fixed ? ElasticSystem::fixed : free++);
+  free += static_cast<std::uint32_t>(edges_.size());
   if (free != factor_->nodes()) {
     throw InputError(
         fmt::format("the factor is of {} free nodes, but the body has {} of them", factor_->nodes(), free));
@@ -42,9 +45,13 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, PackedFact
 
 ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options,
                          const Progress& progress)
-    : body_(std::move(body)), fixed_(fixed_nodes(*body_)), finder_(body_->mesh) {
+    : body_(std::move(body)),
+      fixed_(fixed_nodes(*body_)),
+      stiff_skin_(elements_of_stiff_skin(body_->mesh, body_->materials, fixed_)),
+      edges_(body_->mesh, stiff_skin_, fixed_),
+      finder_(body_->mesh) {
   const BodyDescription whole = without_corridor(*body_);
-  BodyPlan plan = plan_body(whole, progress);
+  BodyPlan plan = plan_body(whole, progress, edges_);
   free_nodes_ = plan.system.free_nodes;
   const auto packed = std::make_shared<PackedFactor>(plan.symbolic);
   // Each panel goes straight to where it is kept: the factor is in memory once.
@@ -59,13 +66,7 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const Fact
 }
 
 CarriedPoint ContactBody::carried(const PointInMesh& place) const {
-  CarriedPoint point;
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    const std::uint32_t free = free_nodes_[place.nodes[corner]];
-    if (free != ElasticSystem::fixed && place.weights[corner] != 0.0)
-      point.shares.push_back({free, place.weights[corner]});
-  }
-  return point;
+  return carried_point({&place, 1}, free_nodes_, edges_);
 }
 
 Eigen::MatrixXd ContactBody::displacements(std::span<const CarriedPoint> points,

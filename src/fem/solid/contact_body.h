@@ -15,6 +15,7 @@
 #include "fem/solid/needle_stations.h"
 #include "fem/solid/packed_factor.h"
 #include "fem/solid/points_in_mesh.h"
+#include "fem/solid/quadratic_edges.h"
 
 namespace bodkin::fem {
 
@@ -25,14 +26,15 @@ namespace bodkin::fem {
 // which the tip pushes. The compliance between points is exact for the whole mesh (PackedFactor). To that of a point
 // with itself is added what the mesh lacks: of a disk by local refinement (refinement_gain), of a point on the shaft
 // by the solution for a ball (shaft_gain), so that what is felt hardly depends on where the mesh has its nodes, and
-// the equations stay regular wherever the points lie.
+// the equations stay regular wherever the points lie. In a stiff skin (elements_of_stiff_skin) displacements are
+// quadratic, so that it bends.
 class ContactBody {
  public:
   // `body`: its corridor is not read. Throws InputError when the body does not fit into memory, or cannot be solved;
   // see ElasticBody.
   ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options = {},
               const Progress& progress = {});
-  // With the factor of this body from elsewhere. Throws InputError when it has another number of free nodes.
+  // With the factor of this body from elsewhere. Throws InputError when it has another number of unknowns.
   ContactBody(std::shared_ptr<const BodyDescription> body, PackedFactor factor);
 
   const BodyDescription& description() const noexcept { return *body_; }
@@ -63,6 +65,8 @@ class ContactBody {
 
   std::shared_ptr<const BodyDescription> body_;
   std::vector<bool> fixed_;                // by node of the mesh
+  std::vector<bool> stiff_skin_;           // by element of the mesh
+  QuadraticEdges edges_;                   // of the stiff skin
   std::vector<std::uint32_t> free_nodes_;  // by node of the mesh, as the equations number it
   std::shared_ptr<const PackedFactor> factor_;
   PointFinder finder_;

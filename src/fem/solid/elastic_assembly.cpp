@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/error.h"
 #include "fem/solid/element_stiffness.h"
@@ -34,21 +35,52 @@ Incidence incidence_of(const anatomy::TetrahedralMesh& mesh) {
   return incidence;
 }
 
-// Which free nodes share an element, as the pattern of the matrix.
+// A shape function of an element: of one of its corners, or of the edge between two.
+struct ShapeFunction {
+  std::uint32_t unknown = 0;
+  std::size_t a = 0, b = 0;  // corners; the same twice for that of a corner
+  bool is_of_edge() const noexcept { return a != b; }
+};
+
+// Those that are not fixed, at most ten.
+class ShapeFunctions {
+ public:
+  ShapeFunctions(const std::array<std::uint32_t, 4>& corners, const ElasticSystem& system) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      const std::uint32_t free = system.free_nodes[corners[a]];
+      if (free != ElasticSystem::fixed) all_[count_++] = {free, a, a};
+    }
+    if (system.edges.size() == 0) return;
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = a + 1; b < 4; ++b) {
+        const std::uint32_t edge = system.edges.unknown(corners[a], corners[b]);
+        if (edge != QuadraticEdges::none) all_[count_++] = {edge, a, b};
+      }
+    }
+  }
+  const ShapeFunction* begin() const noexcept { return all_.data(); }
+  const ShapeFunction* end() const noexcept { return all_.data() + count_; }
+
+ private:
+  std::array<ShapeFunction, 10> all_{};
+  std::size_t count_ = 0;
+};
+
+// Which unknowns share an element, as the pattern of the matrix.
 void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
   const Incidence incidence = incidence_of(mesh);
   BlockMatrix& matrix = system.stiffness;
-  matrix.nodes = static_cast<std::uint32_t>(system.mesh_nodes.size());
+  matrix.nodes = static_cast<std::uint32_t>(system.mesh_nodes.size() + system.edges.size());
   matrix.start.reserve(matrix.nodes + 1);
   matrix.start.push_back(0);
   matrix.row.reserve(9 * std::size_t{matrix.nodes});
   for (std::uint32_t column = 0; column < matrix.nodes; ++column) {
-    const std::uint32_t node = system.mesh_nodes[column];
+    const std::uint32_t node = system.mesh_node_of(column);
     for (std::size_t i = incidence.start[node]; i < incidence.start[node + 1]; ++i) {
-      for (const std::uint32_t corner : mesh.elements[incidence.element[i]]) {
-        const std::uint32_t row = system.free_nodes[corner];
-        if (row != ElasticSystem::fixed && row >= column) matrix.row.push_back(row);
-      }
+      const ShapeFunctions functions(mesh.elements[incidence.element[i]], system);
+      if (std::ranges::none_of(functions, [column](const ShapeFunction& f) { return f.unknown == column; })) continue;
+      for (const ShapeFunction& function : functions)
+        if (function.unknown >= column) matrix.row.push_back(function.unknown);
     }
     const auto first = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start.back());
     std::sort(first, matrix.row.end());
@@ -57,21 +89,39 @@ void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
   }
 }
 
+// N/mm between the corners of an element.
+using CornerBlocks = std::array<std::array<Mat3, 4>, 4>;
+
+// Between two shape functions. The gradient of an edge's is 4 (w_a g_b + w_b g_a); the mean of w_i over an element is
+// 1/4, that of w_i w_j 1/20, of w_i^2 1/10.
+Mat3 block_between(const ShapeFunction& p, const ShapeFunction& q, const CornerBlocks& corners) {
+  if (!p.is_of_edge() && !q.is_of_edge()) return corners[p.a][q.a];
+  if (!p.is_of_edge()) return corners[p.a][q.a] + corners[p.a][q.b];
+  if (!q.is_of_edge()) return corners[p.a][q.a] + corners[p.b][q.a];
+  const auto mean = [](std::size_t i, std::size_t j) { return i == j ? 1.6 : 0.8; };  // times 16
+  const Mat3 straight = mean(p.a, q.a) * corners[p.b][q.b] + mean(p.b, q.b) * corners[p.a][q.a],
+             crossed = mean(p.a, q.b) * corners[p.b][q.a] + mean(p.b, q.a) * corners[p.a][q.b];
+  return straight + crossed;
+}
+
 void add_element(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials, std::size_t element,
                  ElasticSystem& system) {
   const TetrahedronGradients shape = tetrahedron_gradients(corners_at(mesh, element));
   const ElasticConstants constants = elastic_constants(*materials.find(mesh.tissues[element]));
   BlockMatrix& matrix = system.stiffness;
-  for (std::size_t b = 0; b < 4; ++b) {
-    const std::uint32_t column = system.free_nodes[mesh.elements[element][b]];
-    if (column == ElasticSystem::fixed) continue;
-    const auto first = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[column]);
-    const auto last = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[column + 1]);
-    for (std::size_t a = 0; a < 4; ++a) {
-      const std::uint32_t row = system.free_nodes[mesh.elements[element][a]];
-      if (row == ElasticSystem::fixed || row < column) continue;
-      const auto place = static_cast<std::size_t>(std::lower_bound(first, last, row) - matrix.row.begin());
-      matrix.block[place] += stiffness_block(shape, constants, a, b);
+  const ShapeFunctions functions(mesh.elements[element], system);
+  const bool linear = std::ranges::none_of(functions, &ShapeFunction::is_of_edge);
+  CornerBlocks corners;
+  for (std::size_t a = 0; a < 4 && !linear; ++a)
+    for (std::size_t b = 0; b < 4; ++b) corners[a][b] = stiffness_block(shape, constants, a, b);
+  for (const ShapeFunction& of_column : functions) {
+    const auto first = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[of_column.unknown]);
+    const auto last = matrix.row.begin() + static_cast<std::ptrdiff_t>(matrix.start[of_column.unknown + 1]);
+    for (const ShapeFunction& of_row : functions) {
+      if (of_row.unknown < of_column.unknown) continue;
+      const auto place = static_cast<std::size_t>(std::lower_bound(first, last, of_row.unknown) - matrix.row.begin());
+      matrix.block[place] += linear ? stiffness_block(shape, constants, of_row.a, of_column.a)
+                                    : block_between(of_row, of_column, corners);
     }
   }
 }
@@ -79,8 +129,9 @@ void add_element(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& m
 }  // namespace
 
 ElasticSystem assemble(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
-                       std::span<const std::uint32_t> fixed_nodes) {
+                       std::span<const std::uint32_t> fixed_nodes, QuadraticEdges edges) {
   ElasticSystem system;
+  system.edges = std::move(edges);
   system.free_nodes.assign(mesh.nodes.size(), 0);
   for (const std::uint32_t node : fixed_nodes) system.free_nodes[node] = ElasticSystem::fixed;
   for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {

@@ -10,21 +10,30 @@
 #include "anatomy/tetrahedral_mesh.h"
 #include "fem/solid/block_matrix.h"
 #include "fem/solid/elastic_material.h"
+#include "fem/solid/quadratic_edges.h"
 
 namespace bodkin::fem {
 
-// The equations of a body at rest, stiffness * displacement = force, over the nodes that are free to move.
+// The equations of a body at rest, stiffness * displacement = force, over the nodes that are free to move and, behind
+// them, the edges on which displacements are quadratic.
 struct ElasticSystem {
   static constexpr std::uint32_t fixed = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> mesh_nodes;  // the free nodes, ascending, as the mesh calls them
   std::vector<std::uint32_t> free_nodes;  // for each node of the mesh its place in `mesh_nodes`, or `fixed`
-  BlockMatrix stiffness;                  // N/mm, over the free nodes
+  QuadraticEdges edges;
+  BlockMatrix stiffness;  // N/mm
+
+  // The node of the mesh that this unknown belongs to; of an edge one of its ends.
+  std::uint32_t mesh_node_of(std::size_t unknown) const noexcept {
+    return unknown < mesh_nodes.size() ? mesh_nodes[unknown] : edges.ends(unknown - mesh_nodes.size())[0];
+  }
 };
 
 // Assembles the stiffness of a sound mesh (check_mesh) whose tissues all have a material. `fixed_nodes` do not move;
-// each must be in the mesh, and may be named more than once. Throws InputError when no node is free.
+// each must be in the mesh, and may be named more than once. `edges`: of this mesh with these nodes fixed. Throws
+// InputError when no node is free.
 ElasticSystem assemble(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
-                       std::span<const std::uint32_t> fixed_nodes);
+                       std::span<const std::uint32_t> fixed_nodes, QuadraticEdges edges = {});
 
 // The force (N) that holds every node of the mesh, fixed or free, at a displacement (mm): element by element, without
 // the assembled matrix. 3 values a node, x y z in turn.

@@ -58,7 +58,7 @@ MultifrontalCholesky factorise(const BodyDescription& body, const BodyPlan& plan
   try {
     return MultifrontalCholesky(plan.system.stiffness, plan.symbolic, options, progress);
   } catch (const NotPositiveDefinite& failure) {
-    const std::uint32_t node = plan.system.mesh_nodes[failure.node];
+    const std::uint32_t node = plan.system.mesh_node_of(failure.node);
     throw InputError(
         fmt::format("the part of the body around node {} at {} can move without resistance: it hangs by a "
                     "node or an edge alone, or is millions of times softer than what surrounds it; mesh it "
@@ -85,10 +85,10 @@ std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body,
   return tissues;
 }
 
-BodyPlan plan_body(const BodyDescription& body, const Progress& progress) {
+BodyPlan plan_body(const BodyDescription& body, const Progress& progress, QuadraticEdges edges) {
   if (progress) progress("assembling the body", 0.0);
   BodyPlan plan;
-  plan.system = assemble(body.mesh, body.materials, body.fixed);
+  plan.system = assemble(body.mesh, body.materials, body.fixed, std::move(edges));
   if (progress) progress("ordering the body", 0.0);
   const std::vector<anatomy::TissueId> tissues = all_stiffest_tissues(body);
   std::vector<std::uint32_t> last;
@@ -123,7 +123,7 @@ Eigen::MatrixXd ElasticBody::on_all_nodes(const Eigen::MatrixXd& of_free_nodes) 
 }
 
 Eigen::MatrixXd ElasticBody::displacement(const Eigen::MatrixXd& forces) const {
-  Eigen::MatrixXd on_free(3 * static_cast<Eigen::Index>(plan_.system.mesh_nodes.size()), forces.cols());
+  Eigen::MatrixXd on_free = Eigen::MatrixXd::Zero(3 * Eigen::Index{plan_.system.stiffness.nodes}, forces.cols());
   for (std::size_t i = 0; i < plan_.system.mesh_nodes.size(); ++i)
     on_free.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
         forces.middleRows<3>(3 * Eigen::Index{plan_.system.mesh_nodes[i]});

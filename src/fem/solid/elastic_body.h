@@ -37,8 +37,8 @@ struct BodyPlan {
   anatomy::CondensedBody corridor;  // the free nodes of the corridor; its compliance is still empty
 };
 
-// The body must have passed check_body.
-BodyPlan plan_body(const BodyDescription& body, const Progress& progress = {});
+// The body must have passed check_body. `edges`: of its mesh, on which displacements are quadratic.
+BodyPlan plan_body(const BodyDescription& body, const Progress& progress = {}, QuadraticEdges edges = {});
 
 // A body whose equations are factorised: it knows its corridor's compliance and, if the whole factor was kept, the
 // displacement of all its nodes under any forces.

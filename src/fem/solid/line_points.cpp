@@ -104,12 +104,7 @@ ContactPoint LinePoints::point(std::size_t i) const {
 
 CarriedPoint LinePoints::load_of(const Point& point) const {
   if (!point.station.resists) return body_.carried(point.place);
-  CarriedPoint load;
-  for (const auto& [node, weight] : shares_of(disk_of(point), body_.finder_, reach)) {
-    const std::uint32_t free = body_.free_nodes_[node];
-    if (free != ElasticSystem::fixed) load.shares.push_back({free, weight});
-  }
-  return load;
+  return carried_point(places_of(disk_of(point), body_.finder_, reach), body_.free_nodes_, body_.edges_);
 }
 
 // mm/N, what the mesh lacks at a point.
@@ -117,7 +112,8 @@ Mat3 LinePoints::gain_of(std::size_t i) const {
   const BodyDescription& body = *body_.body_;
   Mat3 regular = shaft_gain_in(body.mesh, body.materials, points_[i].place.element);
   if (!points_[i].station.resists) return regular;
-  const Mat3 gain = refinement_gain(body.mesh, body_.finder_, body.materials, body_.fixed_, disk_of(points_[i]));
+  const Mat3 gain = refinement_gain({body.mesh, body_.fixed_, body_.stiff_skin_}, body_.finder_, body.materials,
+                                    disk_of(points_[i]));
   // A disk in held elements moves by nothing else.
   return responses_[i].path.empty() ? Mat3(gain + regular) : gain;
 }

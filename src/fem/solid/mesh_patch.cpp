@@ -32,8 +32,8 @@ double edge_of_volume(double volume) noexcept {
   return std::cbrt(6.0 * std::sqrt(2.0) * volume);
 }
 
-MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<bool>& fixed, const Vec3& centre,
-                       double radius) {
+MeshPatch patch_around(const MeshView& whole, const Vec3& centre, double radius) {
+  const anatomy::TetrahedralMesh& mesh = whole.mesh;
   std::vector<bool> near(mesh.nodes.size());
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
     near[node] = (mesh.nodes[node] - centre).squaredNorm() <= radius * radius;
@@ -53,7 +53,7 @@ MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<b
       if (here == not_there) {
         here = static_cast<std::uint32_t>(patch.mesh.nodes.size());
         patch.mesh.nodes.push_back(mesh.nodes[element[i]]);
-        patch.fixed.push_back(fixed[element[i]]);
+        patch.fixed.push_back(whole.fixed[element[i]]);
       }
       taken[i] = here;
       const Face face = face_without(element, i);
@@ -61,6 +61,7 @@ MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<b
     }
     patch.mesh.elements.push_back(taken);
     patch.mesh.tissues.push_back(mesh.tissues[e]);
+    patch.quadratic.push_back(whole.quadratic[e]);
   }
   for (const std::uint32_t e : rest) {
     const Element& element = mesh.elements[e];
@@ -77,7 +78,7 @@ MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<b
 }
 
 MeshPatch refined(const MeshPatch& patch) {
-  MeshPatch fine{{patch.mesh.nodes, {}, {}}, patch.fixed};
+  MeshPatch fine{{patch.mesh.nodes, {}, {}}, patch.fixed, {}};
   std::vector<Vec3>& nodes = fine.mesh.nodes;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -98,6 +99,7 @@ MeshPatch refined(const MeshPatch& patch) {
       if (signed_volume(nodes, element) < 0.0) std::swap(element[2], element[3]);
       fine.mesh.elements.push_back(element);
       fine.mesh.tissues.push_back(patch.mesh.tissues[e]);
+      fine.quadratic.push_back(patch.quadratic[e]);
     };
     add({a, ab, ac, ad});
     add({ab, b, bc, bd});

@@ -7,16 +7,24 @@
 
 namespace bodkin::fem {
 
-// A part of a mesh with what holds it: the nodes that do not move.
+// A part of a mesh with what holds it, the nodes that do not move, and the elements in which displacements are
+// quadratic.
 struct MeshPatch {
   anatomy::TetrahedralMesh mesh;
-  std::vector<bool> fixed;  // one a node
+  std::vector<bool> fixed;      // one a node
+  std::vector<bool> quadratic;  // one an element
+};
+
+// The whole mesh to take patches from.
+struct MeshView {
+  const anatomy::TetrahedralMesh& mesh;
+  const std::vector<bool>& fixed;      // one a node
+  const std::vector<bool>& quadratic;  // one an element
 };
 
 // The elements with a corner within `radius` mm of `centre`. Its border with the rest of the mesh is held as well as
 // what is fixed already; the surface of the body stays free. May be empty.
-MeshPatch patch_around(const anatomy::TetrahedralMesh& mesh, const std::vector<bool>& fixed, const Vec3& centre,
-                       double radius);
+MeshPatch patch_around(const MeshView& whole, const Vec3& centre, double radius);
 
 // The same patch with every tetrahedron cut into eight, its octahedron along its shortest diagonal. The linear
 // displacements of the patch are among those of the refined one. The middle of an edge between two fixed nodes is

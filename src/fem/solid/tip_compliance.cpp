@@ -17,11 +17,16 @@ namespace bodkin::fem {
 namespace {
 
 constexpr int places_in_disk = 400;
-constexpr double fine_enough = 0.45;  // edge by radius
 constexpr double edges_around = 2.0;  // of elements about the disk that are refined
 constexpr int most_levels = 6;
-constexpr double rest_of_gains =
-    1.0 / 3.0;                           // of the last gain: once the edges are below the disk, gains fall by four
+
+// How far a mesh is refined, edge by radius, and how much of the last gain is left to gain then. Below these edges
+// the gain falls by three from level to level with linear tetrahedra, and by four with quadratic ones.
+struct Refinement {
+  double fine_enough = 0.3, rest = 0.5;
+};
+constexpr Refinement linear_refinement, quadratic_refinement{1.0, 1.0 / 3.0};
+
 constexpr double ball_of_element = 0.6;  // radius by edge, as soft as a barycentric point
 constexpr double least_gain = 0.01;
 constexpr int wave_directions = 1000;  // between along the fibres and across them
@@ -53,12 +58,10 @@ std::optional<Mat3> compliance_in(const MeshPatch& patch, const ElasticMaterials
   for (std::uint32_t node = 0; node < patch.fixed.size(); ++node)
     if (patch.fixed[node]) held.push_back(node);
   if (held.size() == patch.fixed.size()) return Mat3(Mat3::Zero());
-  const ElasticSystem system = assemble(patch.mesh, materials, held);
-  CarriedPoint carried;
-  for (const auto& [node, weight] : shares_of(disk, PointFinder(patch.mesh))) {
-    const std::uint32_t free = system.free_nodes[node];
-    if (free != ElasticSystem::fixed) carried.shares.push_back({free, weight});
-  }
+  const ElasticSystem system =
+      assemble(patch.mesh, materials, held, QuadraticEdges(patch.mesh, patch.quadratic, patch.fixed));
+  const CarriedPoint carried =
+      carried_point(places_of(disk, PointFinder(patch.mesh)), system.free_nodes, system.edges);
   try {
     const MultifrontalCholesky factor(system.stiffness, analyse(graph_of(system.stiffness), {}), {.threads = 1});
     const std::vector<PointResponse> responses = PackedFactor(factor).respond({&carried, 1});
@@ -70,24 +73,22 @@ std::optional<Mat3> compliance_in(const MeshPatch& patch, const ElasticMaterials
 
 }  // namespace
 
-std::vector<std::pair<std::uint32_t, double>> shares_of(const TipDisk& disk, const PointFinder& finder,
-                                                        double reach) {
-  std::map<std::uint32_t, double> shares;
-  for (int i = 0; i < places_in_disk; ++i) {
-    const PointInMesh found = finder.find(place_in(disk, i), reach);
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      if (found.weights[corner] != 0.0) shares[found.nodes[corner]] += found.weights[corner] / places_in_disk;
-    }
-  }
-  return {shares.begin(), shares.end()};
+std::vector<PointInMesh> places_of(const TipDisk& disk, const PointFinder& finder, double reach) {
+  std::vector<PointInMesh> places;
+  places.reserve(places_in_disk);
+  for (int i = 0; i < places_in_disk; ++i) places.push_back(finder.find(place_in(disk, i), reach));
+  return places;
 }
 
-Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& finder,
-                     const ElasticMaterials& materials, const std::vector<bool>& fixed, const TipDisk& disk) {
+Mat3 refinement_gain(const MeshView& whole, const PointFinder& finder, const ElasticMaterials& materials,
+                     const TipDisk& disk) {
   Mat3 gained = Mat3::Zero(), last = Mat3::Zero();
-  double edge = edge_about(mesh, disk, finder);
-  MeshPatch patch = patch_around(mesh, fixed, disk.centre, edges_around * edge + disk.radius);
-  for (int level = 0; level < most_levels && edge > fine_enough * disk.radius; ++level) {
+  const PointInMesh middle = finder.find(disk.centre);
+  const bool quadratic = middle.moves() && whole.quadratic[middle.element];
+  const Refinement& refinement = quadratic ? quadratic_refinement : linear_refinement;
+  double edge = edge_about(whole.mesh, disk, finder);
+  MeshPatch patch = patch_around(whole, disk.centre, edges_around * edge + disk.radius);
+  for (int level = 0; level < most_levels && edge > refinement.fine_enough * disk.radius; ++level) {
     if (patch.mesh.elements.empty()) break;
     MeshPatch finer = refined(patch);
     const std::optional<Mat3> coarse = compliance_in(patch, materials, disk);
@@ -96,9 +97,9 @@ Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& fi
     last = *fine - *coarse;
     gained += last;
     edge *= 0.5;
-    patch = patch_around(finer.mesh, finer.fixed, disk.centre, edges_around * edge + disk.radius);
+    patch = patch_around({finer.mesh, finer.fixed, finer.quadratic}, disk.centre, edges_around * edge + disk.radius);
   }
-  return gained + rest_of_gains * last;
+  return gained + refinement.rest * last;
 }
 
 // The displacement by a force that varies as a wave with the normal n has the amplitude C(n)^-1 of the force's by the

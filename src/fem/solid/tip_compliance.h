@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "core/geometry.h"
 #include "fem/solid/elastic_material.h"
+#include "fem/solid/mesh_patch.h"
 #include "fem/solid/points_in_mesh.h"
 
 namespace bodkin::fem {
@@ -17,19 +16,18 @@ struct TipDisk {
   double radius = 1.0;          // mm, above 0
 };
 
-// The nodes of a mesh that carry a force on the disk, each once and ascending, with the share of each; the shares add
-// up to 1, or to less where the disk is farther than `reach` mm outside the mesh.
-std::vector<std::pair<std::uint32_t, double>> shares_of(const TipDisk& disk, const PointFinder& finder,
-                                                        double reach = 5.0);
+// Places of a mesh, spread evenly over the disk, which carry a force on it in equal shares. Where the disk is farther
+// than `reach` mm outside the mesh they do not move.
+std::vector<PointInMesh> places_of(const TipDisk& disk, const PointFinder& finder, double reach = 5.0);
 
 // mm/N, 3 x 3, positive semidefinite: by how much more the disk moves by a force on it than its mesh of linear
 // tetrahedra says, which near a force is too stiff by about as much as its elements are larger than the disk. The
 // elements within two edges of the disk are cut into eight again and again, with the border of this patch held, until
-// their edge is below 0.45 radii; each time the compliance gained is added, and in the end a third of the last gain
-// for what a still finer mesh would add. `finder`: of the mesh; `fixed`: one a node. Zero in a mesh that is as fine
-// already.
-Mat3 refinement_gain(const anatomy::TetrahedralMesh& mesh, const PointFinder& finder,
-                     const ElasticMaterials& materials, const std::vector<bool>& fixed, const TipDisk& disk);
+// their edge is below 0.3 radii, or below one radius where displacements are quadratic; each time the compliance
+// gained is added, and in the end half of the last gain, or a third, for what a still finer mesh would add. `finder`:
+// of the mesh. Zero in a mesh that is as fine already.
+Mat3 refinement_gain(const MeshView& whole, const PointFinder& finder, const ElasticMaterials& materials,
+                     const TipDisk& disk);
 
 // mm^2/N, 3 x 3: a force that is spread evenly over a ball in a material as far as the eye can see moves the ball, on
 // average, by this times 6 / (5 radius). Without fibres it is Kelvin's solution, (3 - 4 nu + 1/3) / (16 pi G (1 -

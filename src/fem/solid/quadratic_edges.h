@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "anatomy/tetrahedral_mesh.h"
+#include "fem/solid/elastic_material.h"
+#include "fem/solid/packed_factor.h"
+#include "fem/solid/points_in_mesh.h"
+
+namespace bodkin::fem {
+
+// Edges of a mesh on which displacements are quadratic. In an element with corners a and b and barycentric weights w,
+// the edge between them adds 4 w_a w_b times a vector of its own to the linear displacement, as in a tetrahedron of
+// second order (hierarchical shape functions; Zienkiewicz and Taylor 2000, 8.4). At the nodes nothing is added.
+//
+// The equations number the free nodes first and these edges behind them.
+class QuadraticEdges {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  QuadraticEdges() = default;
+  // All edges of the elements that are `quadratic` (one an element) but those between two fixed nodes (`fixed`: one a
+  // node), which do not move.
+  QuadraticEdges(const anatomy::TetrahedralMesh& mesh, const std::vector<bool>& quadratic,
+                 const std::vector<bool>& fixed);
+
+  std::size_t size() const noexcept { return ends_.size(); }
+  // The two nodes of the edge, the smaller first.
+  const std::array<std::uint32_t, 2>& ends(std::size_t edge) const noexcept { return ends_[edge]; }
+  // What the equations call the first of them.
+  std::uint32_t first_unknown() const noexcept { return first_unknown_; }
+  // What the equations call the edge between these nodes; none: its displacement is linear.
+  std::uint32_t unknown(std::uint32_t a, std::uint32_t b) const noexcept;
+
+ private:
+  std::vector<std::array<std::uint32_t, 2>> ends_;  // ascending
+  std::vector<std::uint32_t> start_;                // of the edges whose smaller node this is; one a node and one
+  std::uint32_t first_unknown_ = 0;
+};
+
+// One an element: whether it belongs to a stiff skin. Linear tetrahedra are far too stiff in bending where one layer
+// of them is all there is; displacements in these elements have to be quadratic. A tissue is a stiff skin when its
+// free surface (faces of one element whose nodes are not all `fixed`) is as large, within a quarter, as its border
+// with tissues at most half as stiff, which lies one or two elements below. These elements belong to it.
+std::vector<bool> elements_of_stiff_skin(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                                         const std::vector<bool>& fixed);
+
+// A point that moves by the mean of these places of a mesh. `free_nodes`: by node of the mesh, as the equations
+// number it; what is fixed carries nothing, and neither does a place that does not move with the mesh.
+CarriedPoint carried_point(std::span<const PointInMesh> places, std::span<const std::uint32_t> free_nodes,
+                           const QuadraticEdges& edges);
+
+}  // namespace bodkin::fem
