@@ -8,9 +8,15 @@
 // (-ffp-contract=off), so results have the same bits on every processor.
 
 // Put in front of a function: it is compiled for every x86-64 processor and for those with AVX2 (without fused
-// multiply-add), and the program takes the version for its processor when it starts. Other compilers and processors
-// get the plain version alone.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
+// multiply-add), and the program takes the version for its processor when it starts. It must not have been declared
+// before without this, in a header say, or Clang leaves the versions out. Other compilers and processors, and Clang's
+// sanitizers, get the plain version alone.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define BODKIN_ONE_VERSION
+#endif
+#endif
+#if defined(__x86_64__) && defined(__GNUC__) && defined(__linux__) && !defined(BODKIN_ONE_VERSION)
 #define BODKIN_PROCESSOR_CLONES __attribute__((target_clones("default", "avx2")))
 #else
 #define BODKIN_PROCESSOR_CLONES

@@ -73,7 +73,8 @@ BODKIN_LANES_INLINE void turn_all(double* row, double* a, double* b, std::size_t
   for (; j < count; ++j) turn(row[j], a[j], b[j]);
 }
 
-}  // namespace
+// Each for every processor. Clang takes no version for a processor of what has been declared without.
+namespace wide {
 
 BODKIN_PROCESSOR_CLONES
 void solve_transposed(const Upper& upper, double* columns, std::size_t count) noexcept {
@@ -256,6 +257,54 @@ void subtract_squares(const double* from, std::size_t from_stride, const double*
       *lanes_at(result + j) = *lanes_at(row + j) - (*lanes_at(a + j) * a[i] + *lanes_at(b + j) * b[i]);
     }
   }
+}
+
+}  // namespace wide
+
+}  // namespace
+
+void solve_transposed(const Upper& upper, double* columns, std::size_t count) noexcept {
+  wide::solve_transposed(upper, columns, count);
+}
+
+void solve(const Upper& upper, double* values) noexcept {
+  wide::solve(upper, values);
+}
+
+void rotate(const double* from, double* other, double* to, std::size_t count) noexcept {
+  wide::rotate(from, other, to, count);
+}
+
+std::size_t factorise(double* numbers, std::size_t stride, std::size_t rows, const double* least) noexcept {
+  return wide::factorise(numbers, stride, rows, least);
+}
+
+void add_squares_to_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b) noexcept {
+  wide::add_squares_to_factor(numbers, stride, rows, a, b);
+}
+
+bool subtract_squares_from_factor(double* numbers, std::size_t stride, std::size_t rows, double* a, double* b,
+                                  const double* least) noexcept {
+  return wide::subtract_squares_from_factor(numbers, stride, rows, a, b, least);
+}
+
+double product(const double* a, const double* b, std::size_t count) noexcept {
+  return wide::product(a, b, count);
+}
+
+void add_rows(const double* const* rows, const double* factors, std::size_t count, double* values,
+              std::size_t columns) noexcept {
+  wide::add_rows(rows, factors, count, values, columns);
+}
+
+void multiply(const double* rows, std::size_t stride, std::size_t count, const double* values, std::size_t columns,
+              double* products) noexcept {
+  wide::multiply(rows, stride, count, values, columns, products);
+}
+
+void subtract_squares(const double* from, std::size_t from_stride, const double* a, const double* b, std::size_t size,
+                      double* to, std::size_t to_stride) noexcept {
+  wide::subtract_squares(from, from_stride, a, b, size, to, to_stride);
 }
 
 }  // namespace bodkin::fem::upper_triangular

@@ -252,6 +252,11 @@ BODKIN_LANES_INLINE void light_along(const Field& field, const Way& whole, bool 
   met.opacity = 1.0F - left;
 }
 
+namespace {
+
+// Each for every processor. Clang takes no version for a processor of what has been declared without.
+namespace wide {
+
 BODKIN_PROCESSOR_CLONES
 void cast_light(const Field& field, const Way& way, Met& met) noexcept {
   light_along(field, way, false, met);
@@ -305,6 +310,26 @@ void cast_sum(const Field& field, const Way& way, Met& met) noexcept {
   }
   met.sum = sum;
   met.opacity = way.samples > 0 ? 1.0F : 0.0F;
+}
+
+}  // namespace wide
+
+}  // namespace
+
+void cast_light(const Field& field, const Way& way, Met& met) noexcept {
+  wide::cast_light(field, way, met);
+}
+
+void cast_moved_light(const Field& field, const Way& way, Met& met) noexcept {
+  wide::cast_moved_light(field, way, met);
+}
+
+void cast_maximum(const Field& field, const Way& way, Met& met) noexcept {
+  wide::cast_maximum(field, way, met);
+}
+
+void cast_sum(const Field& field, const Way& way, Met& met) noexcept {
+  wide::cast_sum(field, way, met);
 }
 
 }  // namespace bodkin::imaging::kernel
