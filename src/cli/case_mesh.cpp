@@ -79,10 +79,12 @@ MeshOutcome make_mesh(const CaseMeshOptions& options, const anatomy::CaseDescrip
                       const anatomy::TissueLibrary& library, const anatomy::TissueVolume& tissues,
                       const Progress& progress) {
   const auto& path = description.procedure.path;
-  const std::string made_from = patient::mesh_made_from(tissues, path, options.settings);
+  patient::MeshSettings settings = options.settings;
+  settings.stiff_skin = patient::has_stiff_skin(library);
+  const std::string made_from = patient::mesh_made_from(tissues, path, settings);
   if (!options.force && is_there(options.folder, made_from)) return from_record(options.folder, library);
   refuse_foreign_mesh(options.folder, options.force);
-  patient::MeshedBody made = patient::mesh_tissues(tissues, path, library, options.settings, progress);
+  patient::MeshedBody made = patient::mesh_tissues(tissues, path, library, settings, progress);
   patient::MeshRecord record{made_from, {}, made.scale, {}, std::move(made.notes)};
   patient::write_case_mesh(made.mesh, record, options.folder);
   return {{std::move(made.mesh), std::move(record)}, false};

@@ -20,6 +20,10 @@ constexpr double layer_step = 0.05;      // mm, along the path
 constexpr double corner_of_voxel = 0.5;  // of a voxel: what the path crosses less of is no layer
 constexpr double held_radius = 4.0;      // [D] mm around the path in which a layer is held
 constexpr double held_growth = 0.3;      // [D] mm of edge per mm farther away
+// [D] mm around the path in which a stiff skin is held: one of 2 mm that is 25 times as stiff as fat then dimples 1 %
+// more than one that covers everything.
+constexpr double held_skin_radius = 12.0;
+constexpr double stiff = 2.0;  // skin by fat
 
 struct Box {
   std::array<int, 3> low, high;  // voxels, both included
@@ -180,7 +184,7 @@ double edge_that_holds(const PathLayer& layer, const anatomy::Grid& grid) {
 }
 
 // Edges that hold a layer, around the place where the path crosses it.
-void hold_layers(MeshPlan& plan) {
+void hold_layers(const MeshSettings& settings, MeshPlan& plan) {
   const anatomy::Grid& grid = plan.tissues.grid;
   plan.held_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
   for (int k = 0; k < grid.size[2]; ++k) {
@@ -189,7 +193,9 @@ void hold_layers(MeshPlan& plan) {
         const Vec3 place = grid.to_patient(Vec3(i, j, k));
         float& edge = plan.held_edges[grid.offset(i, j, k)];
         for (const PathLayer& layer : plan.layers) {
-          const double away = std::max(0.0, distance_to_layer(place, layer) - held_radius);
+          const bool bends = settings.stiff_skin && layer.tissue == anatomy::tissue::skin;
+          const double away =
+              std::max(0.0, distance_to_layer(place, layer) - (bends ? held_skin_radius : held_radius));
           edge = std::min(edge, static_cast<float>(edge_that_holds(layer, grid) + held_growth * away));
         }
       }
@@ -229,6 +235,12 @@ double distance_to_corridor(const Vec3& point, const anatomy::NeedlePath& path, 
   return std::hypot(lengthwise, std::max(0.0, across - settings.corridor_radius));
 }
 
+bool has_stiff_skin(const anatomy::TissueLibrary& library) {
+  const anatomy::TissueProperties *skin = library.find(anatomy::tissue::skin),
+                                  *fat = library.find(anatomy::tissue::fat);
+  return skin != nullptr && fat != nullptr && skin->deformable.young >= stiff * fat->deformable.young;
+}
+
 MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
                    const MeshSettings& settings) {
   const Box all = whole(tissues.grid);
@@ -250,7 +262,7 @@ MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<ana
   const std::optional<Box> everything = with_tissue(tissues, all);
   plan.boxed = everything->low != body->low || everything->high != body->high;
   wish_edges(path, settings, plan);
-  if (settings.hold_layers && path) hold_layers(plan);
+  if (settings.hold_layers && path) hold_layers(settings, plan);
   return plan;
 }
 

@@ -17,6 +17,7 @@ struct MeshSettings {
   double corridor_radius = 25.0;  // mm around the planned path; 1 to 200
 
   bool hold_layers = true;  // finer where the planned path crosses a layer that is thin, whatever `nodes` scales
+  bool stiff_skin = false;  // of layers that are held the skin is held as far around as it bends (has_stiff_skin)
 
   // [D] our choices, not offered on the command line.
   double corridor_beyond = 15.0;  // mm by which the corridor extends beyond the target
@@ -51,6 +52,9 @@ struct MeshPlan {
   std::vector<PathLayer> layers;  // of the planned path
   bool boxed = false;             // the volume was larger than what is meshed
 };
+
+// Whether the skin is at least twice as stiff as fat, so that it has to be in the mesh as far as it bends.
+bool has_stiff_skin(const anatomy::TissueLibrary& library);
 
 // The plan for a case's tissues. Throws InputError when there is no tissue in reach of the path.
 MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,

@@ -53,6 +53,7 @@ std::string mesh_made_from(const anatomy::TissueVolume& tissues, const std::opti
     for (const Vec3& end : {path->entry, path->target}) text += fmt::format(" {} {} {}", end.x(), end.y(), end.z());
   }
   if (settings.hold_layers) text += " layers held";
+  if (settings.hold_layers && settings.stiff_skin) text += " stiff skin";
   return io::bytes_digest(text);
 }
 

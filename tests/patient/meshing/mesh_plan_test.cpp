@@ -164,6 +164,21 @@ TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_r
   EXPECT_GT(expected_nodes(meshable_tissues(plan, 4.0)), 2.0 * expected_nodes(meshable_tissues(lax, 4.0)));
 }
 
+TEST(MeshPlan, a_stiff_skin_is_held_as_far_around_the_path_as_it_bends) {
+  const TissueVolume tissues = layered_block();
+  MeshSettings settings;
+  settings.corridor_radius = 15.0;
+  const auto skin_at = [&](double aside) {
+    const MeshableTissues held = meshable_tissues(plan_mesh(tissues, straight_in, settings), 3.0);
+    return nearest(held.tissues, Vec3(aside + 0.5, -0.5, 0.5), tissue::air);
+  };
+  EXPECT_EQ(skin_at(2.0), tissue::skin);
+  EXPECT_EQ(skin_at(11.0), tissue::muscle);
+  settings.stiff_skin = true;
+  EXPECT_EQ(skin_at(11.0), tissue::skin);
+  EXPECT_EQ(skin_at(25.0), tissue::muscle);
+}
+
 TEST(MeshPlan, a_ligament_that_the_path_follows_lengthwise_is_held_by_its_width) {
   TissueVolume tissues = layered_block();
   for (int k = 0; k < 100; ++k) {
