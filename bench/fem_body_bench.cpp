@@ -131,7 +131,9 @@ void field_for_the_eyes(benchmark::State& state) {
   const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
   const auto pushed = static_cast<std::size_t>(state.range(1));
   static std::map<std::uint32_t, std::pair<std::unique_ptr<DisplayField>, double>> fields;
-  auto& [field, seconds] = fields[static_cast<std::uint32_t>(state.range(0))];
+  auto& of_body = fields[static_cast<std::uint32_t>(state.range(0))];
+  std::unique_ptr<DisplayField>& field = of_body.first;
+  double& seconds = of_body.second;
   static std::vector<std::uint32_t> nodes;
   const std::vector<Vec3> points = seen_points();
   if (!field) {

@@ -8,9 +8,9 @@
 // (-ffp-contract=off), so results have the same bits on every processor.
 
 // Put in front of a function: it is compiled for every x86-64 processor and for those with AVX2 (without fused
-// multiply-add), and the program takes the version for its processor when it starts. It must not have been declared
-// before without this, in a header say, or Clang leaves the versions out. Other compilers and processors, and Clang's
-// sanitizers, get the plain version alone.
+// multiply-add), and the program takes the version for its processor when it starts. A function outside a class must
+// not have been declared before without this, in a header say, or Clang leaves the versions out. Other compilers and
+// processors, and the sanitizers, get the plain version alone.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define BODKIN_ONE_VERSION

@@ -114,7 +114,9 @@ void Station::Parts::prepare_patient() {
 void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
   if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
   const Progress progress = observer.progress();
-  const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress), {}, progress);
+  // The body that the needle feels, for the picture as well.
+  fem::QuadraticEdges edges = whole_body != nullptr ? whole_body->edges() : fem::QuadraticEdges();
+  const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress, std::move(edges)), {}, progress);
   const fem::LeftNeedleForces left(whole_body.get(), options.left_needles);
   const auto surface = moving == nullptr ? std::span<const std::uint32_t>() : moving->surface();
   if (!wanted.empty())

@@ -38,8 +38,8 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, PackedFact
   for (const bool fixed : fixed_) free_nodes_.push_back(fixed ? ElasticSystem::fixed : free++);
   free += static_cast<std::uint32_t>(edges_.size());
   if (free != factor_->nodes()) {
-    throw InputError(
-        fmt::format("the factor is of {} free nodes, but the body has {} of them", factor_->nodes(), free));
+    throw InputError(fmt::format("the factor is of {} nodes and edges that can move, but the body has {} of them",
+                                 factor_->nodes(), free));
   }
 }
 
@@ -66,7 +66,7 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const Fact
 }
 
 CarriedPoint ContactBody::carried(const PointInMesh& place) const {
-  return carried_point({&place, 1}, free_nodes_, edges_);
+  return carried_point({&place, 1}, free_nodes_, {});
 }
 
 Eigen::MatrixXd ContactBody::displacements(std::span<const CarriedPoint> points,

@@ -30,8 +30,8 @@ namespace bodkin::fem {
 // quadratic, so that it bends.
 class ContactBody {
  public:
-  // `body`: its corridor is not read. Throws InputError when the body does not fit into memory, or cannot be solved;
-  // see ElasticBody.
+  // `body`: it must have passed check_body, but its corridor is not read. Throws InputError when the body does not
+  // fit into memory, or cannot be solved; see ElasticBody.
   ContactBody(std::shared_ptr<const BodyDescription> body, const FactorOptions& options = {},
               const Progress& progress = {});
   // With the factor of this body from elsewhere. Throws InputError when it has another number of unknowns.
@@ -39,6 +39,8 @@ class ContactBody {
 
   const BodyDescription& description() const noexcept { return *body_; }
   const PackedFactor& factor() const noexcept { return *factor_; }
+  // On which displacements are quadratic.
+  const QuadraticEdges& edges() const noexcept { return edges_; }
 
   // What needles that were left in the body, from their entry to their tip, and nodes of its mesh that are held do to
   // it; a node that is fixed anyway does nothing. Of a needle each millimetre that is in the mesh is a point, as of a
@@ -56,7 +58,8 @@ class ContactBody {
   // mm/N: how these nodes of the mesh move by unit forces on each of `points`, 3 rows a node and 3 columns a point.
   Eigen::MatrixXd displacements(std::span<const CarriedPoint> points, std::span<const std::uint32_t> nodes) const;
 
-  // A place of the mesh as a point that its nodes carry; those that are held carry nothing.
+  // A place of the mesh as a point that its nodes carry, by barycentric weights in a stiff skin too; those that are
+  // held carry nothing.
   CarriedPoint carried(const PointInMesh& place) const;
 
  private:

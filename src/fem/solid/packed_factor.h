@@ -15,8 +15,9 @@
 
 namespace bodkin::fem {
 
-// A point that moves with a body: the free nodes that carry it, as the equations number them, and the share of each.
-// A force on the point is spread over these nodes by the same shares. Without shares it is held.
+// A point that moves with a body: the free nodes (and quadratic edges) that carry it, as the equations number them,
+// and the share of each. A force on the point is spread over these nodes by the same shares. Without shares it is
+// held.
 struct CarriedPoint {
   struct Share {
     std::uint32_t node = 0;

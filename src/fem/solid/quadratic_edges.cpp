@@ -1,7 +1,10 @@
 #include "fem/solid/quadratic_edges.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "fem/solid/elastic_assembly.h"
 
@@ -9,71 +12,112 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double softer = 0.5;     // Young's modulus of what lies below a stiff skin, by the skin's
-constexpr double as_large = 0.75;  // the smaller of two areas by the larger
+constexpr double softer = 0.5;    // Young's modulus of what lies below a stiff skin, by the skin's
+constexpr double covering = 0.5;  // of a skin's free surface, that lies above what is softer
+constexpr double parallel = 0.7;  // cosine between the skin's two sides
 
-// A face of an element, its nodes ascending.
+using Face = std::array<std::uint32_t, 3>;  // nodes, ascending
+
 struct ElementFace {
-  std::array<std::uint32_t, 3> nodes{};
+  Face nodes{};
   std::uint32_t element = 0;
   bool operator<(const ElementFace& other) const noexcept {
     return nodes != other.nodes ? nodes < other.nodes : element < other.element;
   }
 };
 
-std::vector<ElementFace> faces_in_order(const anatomy::TetrahedralMesh& mesh) {
-  std::vector<ElementFace> faces;
-  faces.reserve(4 * mesh.elements.size());
-  for (std::uint32_t element = 0; element < mesh.elements.size(); ++element) {
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      const auto& nodes = mesh.elements[element];
-      ElementFace face{{nodes[(corner + 1) % 4], nodes[(corner + 2) % 4], nodes[(corner + 3) % 4]}, element};
-      std::sort(face.nodes.begin(), face.nodes.end());
-      faces.push_back(face);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
+Face face_opposite(const std::array<std::uint32_t, 4>& element, std::size_t corner) {
+  Face face{element[(corner + 1) % 4], element[(corner + 2) % 4], element[(corner + 3) % 4]};
+  std::sort(face.begin(), face.end());
+  return face;
 }
 
-double area_of(const anatomy::TetrahedralMesh& mesh, const ElementFace& face) noexcept {
-  const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
-  return 0.5 * (b - a).cross(c - a).norm();
+// Tissues of which one is in the mesh that is much softer.
+std::set<anatomy::TissueId> stiff_tissues(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials) {
+  const std::set<anatomy::TissueId> all(mesh.tissues.begin(), mesh.tissues.end());
+  double least = std::numeric_limits<double>::infinity();
+  for (const anatomy::TissueId tissue : all) least = std::min(least, materials.find(tissue)->young);
+  std::set<anatomy::TissueId> stiff;
+  for (const anatomy::TissueId tissue : all)
+    if (least <= softer * materials.find(tissue)->young) stiff.insert(tissue);
+  return stiff;
 }
 
-// The faces of elements that are free to move at the surface of the body, and those on tissues that are softer.
-struct FacesOfTissues {
+// Faces of elements of stiff tissues: those at the surface of the body that are free to move, and those on a tissue
+// that is much softer.
+struct StiffFaces {
   std::vector<ElementFace> free, on_softer;
 };
 
-FacesOfTissues faces_of_tissues(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
-                                const std::vector<bool>& fixed) {
-  const std::vector<ElementFace> all = faces_in_order(mesh);
-  FacesOfTissues faces;
+StiffFaces faces_of_stiff_tissues(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
+                                  const std::vector<bool>& fixed) {
+  const std::set<anatomy::TissueId> stiff = stiff_tissues(mesh, materials);
+  std::vector<ElementFace> all, border;
+  for (std::uint32_t element = 0; element < mesh.elements.size(); ++element) {
+    if (!stiff.contains(mesh.tissues[element])) continue;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      all.push_back({face_opposite(mesh.elements[element], corner), element});
+  }
+  std::sort(all.begin(), all.end());
+  StiffFaces faces;
+  const auto young = [&](std::uint32_t element) { return materials.find(mesh.tissues[element])->young; };
+  std::vector<bool> at_border(mesh.nodes.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i + 1 == all.size() || all[i].nodes != all[i + 1].nodes) {
-      if (!std::ranges::all_of(all[i].nodes, [&fixed](std::uint32_t node) { return fixed[node]; }))
-        faces.free.push_back(all[i]);
+    if (i + 1 < all.size() && all[i].nodes == all[i + 1].nodes) {
+      const double here = young(all[i].element), there = young(all[i + 1].element);
+      if (there <= softer * here) faces.on_softer.push_back(all[i]);
+      if (here <= softer * there) faces.on_softer.push_back(all[i + 1]);
+      ++i;
       continue;
     }
-    const double here = materials.find(mesh.tissues[all[i].element])->young,
-                 there = materials.find(mesh.tissues[all[i + 1].element])->young;
-    if (there <= softer * here) faces.on_softer.push_back(all[i]);
-    if (here <= softer * there) faces.on_softer.push_back(all[i + 1]);
-    ++i;
+    border.push_back(all[i]);
+    for (const std::uint32_t node : all[i].nodes) at_border[node] = true;
+  }
+  std::vector<bool> is_inside(border.size(), false);  // an element of another tissue is behind it
+  for (std::uint32_t element = 0; element < mesh.elements.size(); ++element) {
+    const auto& corners = mesh.elements[element];
+    if (stiff.contains(mesh.tissues[element])) continue;
+    if (std::ranges::count_if(corners, [&at_border](std::uint32_t node) { return at_border[node]; }) < 3) continue;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const Face face = face_opposite(corners, corner);
+      const auto found = std::ranges::lower_bound(border, face, {}, &ElementFace::nodes);
+      if (found == border.end() || found->nodes != face) continue;
+      is_inside[static_cast<std::size_t>(found - border.begin())] = true;
+      if (young(element) <= softer * young(found->element)) faces.on_softer.push_back(*found);
+    }
+  }
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const bool held = std::ranges::all_of(border[i].nodes, [&fixed](std::uint32_t node) { return fixed[node]; });
+    if (!is_inside[i] && !held) faces.free.push_back(border[i]);
   }
   return faces;
 }
 
-// Of a tissue, mm^2.
-struct SkinAreas {
-  double free = 0.0, on_softer = 0.0;
-  double below_surface = 0.0;  // of on_softer, no more than two elements below the surface
+// mm^2, out of its element, as long as the face is large.
+Vec3 area_of(const anatomy::TetrahedralMesh& mesh, const ElementFace& face) {
+  const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
+  const Vec3 area = 0.5 * (b - a).cross(c - a);
+  Vec3 middle = Vec3::Zero();
+  for (const std::uint32_t node : mesh.elements[face.element]) middle += 0.25 * mesh.nodes[node];
+  return area.dot(a - middle) < 0.0 ? Vec3(-area) : area;
+}
 
-  bool are_of_skin() const noexcept {
-    return free > 0.0 && below_surface >= as_large * free && as_large * on_softer <= free;
+// By node: which way the surface of a stiff tissue looks there, and at the nodes of the elements below it; zero
+// elsewhere.
+std::vector<Vec3> outwards(const anatomy::TetrahedralMesh& mesh, const std::vector<ElementFace>& surface) {
+  std::vector<Vec3> at_surface(mesh.nodes.size(), Vec3::Zero());
+  for (const ElementFace& face : surface)
+    for (const std::uint32_t node : face.nodes) at_surface[node] += area_of(mesh, face);
+  std::vector<Vec3> found = at_surface;
+  for (const auto& element : mesh.elements) {
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t node : element) sum += at_surface[node];
+    if (sum.isZero(0.0)) continue;
+    for (const std::uint32_t node : element)
+      if (at_surface[node].isZero(0.0)) found[node] += sum;
   }
-};
+  return found;
+}
 
 }  // namespace
 
@@ -109,29 +153,22 @@ std::uint32_t QuadraticEdges::unknown(std::uint32_t a, std::uint32_t b) const no
 
 std::vector<bool> elements_of_stiff_skin(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                                          const std::vector<bool>& fixed) {
-  const FacesOfTissues faces = faces_of_tissues(mesh, materials, fixed);
-  std::vector<bool> at_surface(mesh.nodes.size(), false);
-  for (const ElementFace& face : faces.free)
-    for (const std::uint32_t node : face.nodes) at_surface[node] = true;
-  const auto touches = [&mesh](std::size_t element, const std::vector<bool>& nodes) {
-    return std::ranges::any_of(mesh.elements[element], [&nodes](std::uint32_t node) { return nodes[node]; });
-  };
-  std::vector<bool> of_surface = at_surface;  // the nodes of all elements there
-  for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
-    if (!touches(element, at_surface)) continue;
-    for (const std::uint32_t node : mesh.elements[element]) of_surface[node] = true;
-  }
-  std::map<anatomy::TissueId, SkinAreas> areas;
-  for (const ElementFace& face : faces.free) areas[mesh.tissues[face.element]].free += area_of(mesh, face);
-  for (const ElementFace& face : faces.on_softer) {
-    SkinAreas& of_tissue = areas[mesh.tissues[face.element]];
-    of_tissue.on_softer += area_of(mesh, face);
-    if (touches(face.element, of_surface)) of_tissue.below_surface += area_of(mesh, face);
-  }
   std::vector<bool> chosen(mesh.elements.size(), false);
+  const StiffFaces faces = faces_of_stiff_tissues(mesh, materials, fixed);
+  if (faces.free.empty() || faces.on_softer.empty()) return chosen;
+  const std::vector<Vec3> out = outwards(mesh, faces.free);
+  std::map<anatomy::TissueId, double> free, covered;  // mm^2
+  for (const ElementFace& face : faces.free) free[mesh.tissues[face.element]] += area_of(mesh, face).norm();
+  for (const ElementFace& face : faces.on_softer) {
+    const Vec3 area = area_of(mesh, face), above = out[face.nodes[0]] + out[face.nodes[1]] + out[face.nodes[2]];
+    if (std::abs(area.dot(above)) > parallel * area.norm() * above.norm())
+      covered[mesh.tissues[face.element]] += area.norm();
+  }
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
-    const auto found = areas.find(mesh.tissues[element]);
-    chosen[element] = found != areas.end() && found->second.are_of_skin() && touches(element, of_surface);
+    const auto surface = free.find(mesh.tissues[element]);
+    if (surface == free.end() || covered[surface->first] < covering * surface->second) continue;
+    chosen[element] =
+        std::ranges::any_of(mesh.elements[element], [&out](std::uint32_t node) { return !out[node].isZero(0.0); });
   }
   return chosen;
 }

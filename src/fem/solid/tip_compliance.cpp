@@ -18,10 +18,10 @@ namespace {
 
 constexpr int places_in_disk = 400;
 constexpr double edges_around = 2.0;  // of elements about the disk that are refined
-constexpr int most_levels = 6;
+constexpr int most_levels = 7;
 
-// How far a mesh is refined, edge by radius, and how much of the last gain is left to gain then. Below these edges
-// the gain falls by three from level to level with linear tetrahedra, and by four with quadratic ones.
+// How far a mesh is refined, edge by radius, and how much of the last gain is left to gain then. There the
+// gain falls by about three from level to level with linear tetrahedra, and by about four with quadratic ones.
 struct Refinement {
   double fine_enough = 0.3, rest = 0.5;
 };

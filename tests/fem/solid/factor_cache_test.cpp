@@ -94,7 +94,7 @@ TEST(FactorCache, refuses_files_that_are_damaged_or_of_something_else) {
                 BodyDescription larger = lattice_body(7, 50.0, 0.1, 0);
                 ContactBody(std::make_shared<const BodyDescription>(std::move(larger)), load_factor(file, digest));
               }),
-              HasSubstr("180 free nodes, but the body has 294 of them"));
+              HasSubstr("180 nodes and edges that can move, but the body has 294 of them"));
   Random random(4);
   for (int round = 0; round < 200; ++round) {  // one bit
     bytes = sound;

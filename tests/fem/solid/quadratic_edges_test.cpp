@@ -8,6 +8,7 @@
 #include "tests/fem/calculix_block.h"
 #include "tests/fem/layered_block.h"
 #include "tests/sanitized.h"
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -108,12 +109,13 @@ TEST(QuadraticEdges, an_even_strain_goes_on_through_elements_of_both_orders) {
     return true;
   };
   std::size_t nodes = 0, edges = 0;
+  const double largest = forces.cwiseAbs().maxCoeff();  // on the surface
   for (std::uint32_t unknown = 0; unknown < matrix.nodes; ++unknown) {
     const bool is_edge = unknown >= system.mesh_nodes.size();
     const std::uint32_t a = system.mesh_node_of(unknown);
     if (!inside(a, is_edge ? system.edges.ends(unknown - system.mesh_nodes.size())[1] : a)) continue;
     ++(is_edge ? edges : nodes);
-    EXPECT_LT(forces.segment<3>(3 * Eigen::Index{unknown}).cwiseAbs().maxCoeff(), 1e-15 * 20.0) << unknown;
+    EXPECT_LT(forces.segment<3>(3 * Eigen::Index{unknown}).cwiseAbs().maxCoeff(), 1e-12 * largest) << unknown;
   }
   EXPECT_EQ(nodes, 27U);
   EXPECT_GT(edges, 100U);
@@ -155,6 +157,34 @@ TEST(StiffSkin, is_the_skin_that_is_stiffer_than_what_it_covers) {
   EXPECT_FALSE(tissues_of(held, stiff_skin_of(held)).contains(tissue::skin)) << "it cannot bend";
 }
 
+// Meshes of patients have their skin about the needle's path alone; the rim of such a piece borders on fat, too.
+TEST(StiffSkin, may_be_a_piece_and_dimples_as_a_whole_one_does) {
+  BodyDescription body = *checks::layered_block(checks::back_with_stiff_skin(), 3.3, 4);
+  for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::uint32_t node : body.mesh.elements[element]) middle += 0.25 * body.mesh.nodes[node];
+    const double aside = std::hypot(middle.x() - 30.0, middle.y() - 30.0);
+    if (body.mesh.tissues[element] == tissue::skin && aside > 15.0) body.mesh.tissues[element] = tissue::fat;
+  }
+  EXPECT_EQ(tissues_of(body, stiff_skin_of(body)), std::set<TissueId>{tissue::skin});
+  const ContactBody piece(std::make_shared<const BodyDescription>(std::move(body)));
+  EXPECT_NEAR(compliance_of_disk(piece, Vec3(30.0, 30.0, 40.0), 2.0), 3.305, 0.05 * 3.305) << "CalculiX, whole skin";
+}
+
+TEST(StiffSkin, what_refinement_adds_is_positive_at_any_place) {
+  const auto body = checks::layered_block(checks::back_with_stiff_skin(), 5.0, 7);
+  const PointFinder finder(body->mesh);
+  const std::vector<bool> fixed = fixed_in(*body), skin = stiff_skin_of(*body);
+  Random random(8);
+  for (int i = 0; i < 6; ++i) {
+    const TipDisk disk{.centre = Vec3(random.uniform(20.0, 40.0), random.uniform(20.0, 40.0), 40.0 - 0.5 * i),
+                       .normal = Vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), -1.0).normalized(),
+                       .radius = 2.0};
+    const Mat3 gain = refinement_gain({body->mesh, fixed, skin}, finder, body->materials, disk);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Mat3>(gain).eigenvalues().minCoeff(), 0.0) << i;
+  }
+}
+
 TEST(StiffSkin, dimpling_is_that_of_calculix_in_a_fine_mesh_of_second_order) {
   if (!checks::calculix_is_there()) GTEST_SKIP() << "ccx is not installed (Debian: calculix-ccx)";
   for (const bool stiff_skin : {true, false}) {
@@ -173,7 +203,7 @@ TEST(StiffSkin, dimpling_is_that_of_calculix_in_a_fine_mesh_of_second_order) {
   }
 }
 
-// With linear elements 2.80 to 2.97 mm/N were found for meshes of 5,000 to 40,000 nodes, and 4.11 are right.
+// With linear elements 2.38 to 2.51 mm/N were found for meshes of 5,000 to 40,000 nodes, and 3.31 are right.
 TEST(StiffSkin, dimpling_hardly_depends_on_the_mesh_or_on_the_place_in_it) {
   double first = 0.0;
   for (const double h : {4.0, 3.3}) {
