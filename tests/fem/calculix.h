@@ -101,7 +101,7 @@ inline bool calculix_ran(const ScratchFolder& folder, const std::string& input) 
   return std::system(command.c_str()) == 0;
 }
 
-// The table of the .dat file whose title begins with `title`: 3 values for every node.
+// The table of the .dat file whose title begins with `title`: 3 values for each of the first `nodes`.
 inline Eigen::VectorXd calculix_table(const std::filesystem::path& file, const std::string& title,
                                       std::size_t nodes) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(3 * static_cast<Eigen::Index>(nodes), std::nan(""));
@@ -112,7 +112,8 @@ inline Eigen::VectorXd calculix_table(const std::filesystem::path& file, const s
     std::istringstream fields(line);
     Eigen::Index node = 0;
     Vec3 value;
-    if (inside && fields >> node >> value.x() >> value.y() >> value.z()) values.segment<3>(3 * (node - 1)) = value;
+    if (!inside || !(fields >> node >> value.x() >> value.y() >> value.z())) continue;
+    if (node <= static_cast<Eigen::Index>(nodes)) values.segment<3>(3 * (node - 1)) = value;
   }
   return values;
 }
