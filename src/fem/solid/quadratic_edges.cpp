@@ -14,6 +14,7 @@ namespace {
 
 constexpr double softer = 0.5;    // Young's modulus of what lies below a stiff skin, by the skin's
 constexpr double covering = 0.5;  // of a skin's free surface, that lies above what is softer
+constexpr double no_layer = 2.0;  // as large a border by the free surface has what only ends at the surface
 constexpr double parallel = 0.7;  // cosine between the skin's two sides
 
 using Face = std::array<std::uint32_t, 3>;  // nodes, ascending
@@ -157,16 +158,23 @@ std::vector<bool> elements_of_stiff_skin(const anatomy::TetrahedralMesh& mesh, c
   const StiffFaces faces = faces_of_stiff_tissues(mesh, materials, fixed);
   if (faces.free.empty() || faces.on_softer.empty()) return chosen;
   const std::vector<Vec3> out = outwards(mesh, faces.free);
-  std::map<anatomy::TissueId, double> free, covered;  // mm^2
-  for (const ElementFace& face : faces.free) free[mesh.tissues[face.element]] += area_of(mesh, face).norm();
+  struct Areas {  // mm^2
+    double free = 0.0, on_softer = 0.0, covered = 0.0;
+    bool are_of_skin() const noexcept {
+      return free > 0.0 && covered >= covering * free && on_softer <= no_layer * free;
+    }
+  };
+  std::map<anatomy::TissueId, Areas> areas;
+  for (const ElementFace& face : faces.free) areas[mesh.tissues[face.element]].free += area_of(mesh, face).norm();
   for (const ElementFace& face : faces.on_softer) {
     const Vec3 area = area_of(mesh, face), above = out[face.nodes[0]] + out[face.nodes[1]] + out[face.nodes[2]];
-    if (std::abs(area.dot(above)) > parallel * area.norm() * above.norm())
-      covered[mesh.tissues[face.element]] += area.norm();
+    Areas& of_tissue = areas[mesh.tissues[face.element]];
+    of_tissue.on_softer += area.norm();
+    if (std::abs(area.dot(above)) > parallel * area.norm() * above.norm()) of_tissue.covered += area.norm();
   }
   for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
-    const auto surface = free.find(mesh.tissues[element]);
-    if (surface == free.end() || covered[surface->first] < covering * surface->second) continue;
+    const auto found = areas.find(mesh.tissues[element]);
+    if (found == areas.end() || !found->second.are_of_skin()) continue;
     chosen[element] =
         std::ranges::any_of(mesh.elements[element], [&out](std::uint32_t node) { return !out[node].isZero(0.0); });
   }
