@@ -8,8 +8,7 @@ endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
 must(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/installed")
-must(${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Release
-     -DCMAKE_CXX_COMPILER=g++)  # the other compiler than the package's
+must(${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Release)
 must(${CMAKE_COMMAND} --build "${WORK}/build")
 must("${WORK}/build/consumer")
 must("${WORK}/installed/bin/bodkin" --version)

@@ -8,8 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "fem/solid/quadratic_edges.h"
-
 namespace bodkin::fem {
 
 namespace {
@@ -83,13 +81,6 @@ MeshPatch refined(const MeshPatch& patch) {
   MeshPatch fine{{patch.mesh.nodes, {}, {}}, patch.fixed, {}};
   std::vector<Vec3>& nodes = fine.mesh.nodes;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-  const QuadraticEdges edges(patch.mesh, patch.quadratic, patch.fixed);
-  const auto has_quadratic_edge = [&edges](const Element& element) {
-    for (std::size_t a = 0; a < 4; ++a)
-      for (std::size_t b = a + 1; b < 4; ++b)
-        if (edges.unknown(element[a], element[b]) != QuadraticEdges::none) return true;
-    return false;
-  };
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [at, is_new] =
         middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(nodes.size()));
@@ -108,7 +99,7 @@ MeshPatch refined(const MeshPatch& patch) {
       if (signed_volume(nodes, element) < 0.0) std::swap(element[2], element[3]);
       fine.mesh.elements.push_back(element);
       fine.mesh.tissues.push_back(patch.mesh.tissues[e]);
-      fine.quadratic.push_back(has_quadratic_edge(patch.mesh.elements[e]));
+      fine.quadratic.push_back(patch.quadratic[e]);
     };
     add({a, ab, ac, ad});
     add({ab, b, bc, bd});

@@ -26,9 +26,9 @@ struct MeshView {
 // what is fixed already; the surface of the body stays free. May be empty.
 MeshPatch patch_around(const MeshView& whole, const Vec3& centre, double radius);
 
-// The same patch with every tetrahedron cut into eight, its octahedron along its shortest diagonal. The middle of an
-// edge between two fixed nodes is fixed. Displacements are quadratic in all pieces of an element of which an edge is,
-// so that those of the patch are among those of the refined one.
+// The same patch with every tetrahedron cut into eight, its octahedron along its shortest diagonal. The linear
+// displacements of the patch are among those of the refined one. The middle of an edge between two fixed nodes is
+// fixed. Displacements are quadratic in the pieces of an element in which they are.
 MeshPatch refined(const MeshPatch& patch);
 
 // mm, the edge of a regular tetrahedron of this volume (mm^3).
