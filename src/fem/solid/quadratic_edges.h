@@ -16,7 +16,8 @@ namespace bodkin::fem {
 
 // Edges of a mesh on which displacements are quadratic. In an element with corners a and b and barycentric weights w,
 // the edge between them adds 4 w_a w_b times a vector of its own to the linear displacement, as in a tetrahedron of
-// second order (hierarchical shape functions; Zienkiewicz and Taylor 2000, 8.4). At the nodes nothing is added.
+// second order (hierarchical shape functions; Zienkiewicz and Taylor 2000, volume 1, chapter 8). At the nodes nothing
+// is added.
 //
 // The equations number the free nodes first and these edges behind them.
 class QuadraticEdges {
