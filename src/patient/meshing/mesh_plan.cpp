@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "anatomy/label_distance.h"
 #include "core/error.h"
 
 namespace bodkin::patient {
@@ -184,7 +185,7 @@ double edge_that_holds(const PathLayer& layer, const anatomy::Grid& grid) {
 }
 
 // Edges that hold a layer, around the place where the path crosses it.
-void hold_layers(const MeshSettings& settings, MeshPlan& plan) {
+void hold_layers(MeshPlan& plan) {
   const anatomy::Grid& grid = plan.tissues.grid;
   plan.held_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
   for (int k = 0; k < grid.size[2]; ++k) {
@@ -193,13 +194,31 @@ void hold_layers(const MeshSettings& settings, MeshPlan& plan) {
         const Vec3 place = grid.to_patient(Vec3(i, j, k));
         float& edge = plan.held_edges[grid.offset(i, j, k)];
         for (const PathLayer& layer : plan.layers) {
-          const bool bends = settings.stiff_skin && layer.tissue == anatomy::tissue::skin;
-          const double away =
-              std::max(0.0, distance_to_layer(place, layer) - (bends ? held_skin_radius : held_radius));
+          const double away = std::max(0.0, distance_to_layer(place, layer) - held_radius);
           edge = std::min(edge, static_cast<float>(edge_that_holds(layer, grid) + held_growth * away));
         }
       }
     }
+  }
+}
+
+// Edges that hold the skin as far around the path as a stiff one bends, and grow from there into what lies below.
+void hold_skin(MeshPlan& plan) {
+  const auto skin = std::ranges::find(plan.layers, anatomy::tissue::skin, &PathLayer::tissue);
+  if (skin == plan.layers.end()) return;
+  const anatomy::Grid& grid = plan.tissues.grid;
+  anatomy::Volume<std::uint8_t> held(grid, 0);
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        if (plan.tissues.at(i, j, k) == anatomy::tissue::skin &&
+            distance_to_layer(grid.to_patient(Vec3(i, j, k)), *skin) <= held_skin_radius)
+          held.at(i, j, k) = 1;
+  const std::vector<float> away = anatomy::distance_to_other_label(held);
+  const double edge = edge_that_holds(*skin, grid);
+  for (std::size_t voxel = 0; voxel < away.size(); ++voxel) {
+    const double here = held.voxels[voxel] != 0 ? edge : edge + held_growth * static_cast<double>(away[voxel]);
+    plan.held_edges[voxel] = std::min(plan.held_edges[voxel], static_cast<float>(here));
   }
 }
 
@@ -262,7 +281,8 @@ MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<ana
   const std::optional<Box> everything = with_tissue(tissues, all);
   plan.boxed = everything->low != body->low || everything->high != body->high;
   wish_edges(path, settings, plan);
-  if (settings.hold_layers && path) hold_layers(settings, plan);
+  if (settings.hold_layers && path) hold_layers(plan);
+  if (settings.hold_layers && path && settings.stiff_skin) hold_skin(plan);
   return plan;
 }
 
