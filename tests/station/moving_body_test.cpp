@@ -248,22 +248,22 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
   HapticTick moved(block.patient), aside(block.patient);
   const auto motion = std::make_shared<BodyMotion>();
   ASSERT_TRUE(moved.body()->move_with(motion));
-  for (double depth = -2.0; depth < 22.0; depth += 0.05) {
+  for (double depth = -2.0; depth < 24.0; depth += 0.05) {
     const TickInput input{straight_down(-30.0, depth)};
     ASSERT_EQ(moved.step(input).resistance, aside.step(input).resistance) << "nothing moves yet";
   }
   motion->write({1, moved_alike(block, Vec3(0.5, 0.0, 0.0))});
   Vec3 found = Vec3::Zero(), expected = Vec3::Zero(),
-       before = moved.step({straight_down(-30.0, 22.0)}).requested.force;
+       before = moved.step({straight_down(-30.0, 24.0)}).requested.force;
   double largest = 0.0;
   int told = 0;
   for (int tick = 0; tick < 400; ++tick) {
-    const TickOutput output = moved.step({straight_down(-30.0, 22.0)});
+    const TickOutput output = moved.step({straight_down(-30.0, 24.0)});
     found = output.requested.force;
     largest = std::max(largest, (found - before).norm());
     before = found;
     for (const Event& event : output.events) told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
-    expected = aside.step({straight_down(-30.0 - 0.5 * std::min(1.0, 0.01 * tick), 22.0)}).requested.force;
+    expected = aside.step({straight_down(-30.0 - 0.5 * std::min(1.0, 0.01 * tick), 24.0)}).requested.force;
   }
   EXPECT_LE(told, 1);
   EXPECT_GT(expected.x(), 0.01);
@@ -273,8 +273,8 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
   motion->write({});
   Vec3 back = Vec3::Zero();
   for (int tick = 0; tick < 400; ++tick) {
-    found = moved.step({straight_down(-30.0, 22.0)}).requested.force;
-    back = aside.step({straight_down(-30.5 + 0.5 * std::min(1.0, 0.01 * tick), 22.0)}).requested.force;
+    found = moved.step({straight_down(-30.0, 24.0)}).requested.force;
+    back = aside.step({straight_down(-30.5 + 0.5 * std::min(1.0, 0.01 * tick), 24.0)}).requested.force;
   }
   EXPECT_NEAR(found.x(), back.x(), 0.05 * expected.x());
 }
@@ -286,7 +286,7 @@ TEST(MovingBody, a_needle_that_was_let_go_goes_with_the_tissue) {
   const auto motion = std::make_shared<BodyMotion>();
   ASSERT_TRUE(tick.body()->move_with(motion));
   Pose needle = Pose::Identity();
-  for (double depth = -2.0; depth < 22.0; depth += 0.05) tick.step({needle = straight_down(-30.0, depth)});
+  for (double depth = -2.0; depth < 24.0; depth += 0.05) tick.step({needle = straight_down(-30.0, depth)});
   const Pose held = needle;
   const TickOutput before = tick.step({needle});
   EXPECT_EQ(tick.body()->tissue_motion().matrix(), Pose::Identity().matrix());
