@@ -16,6 +16,7 @@ constexpr double softer = 0.5;    // Young's modulus of what lies below a stiff 
 constexpr double covering = 0.5;  // of a skin's free surface, that lies above what is softer
 constexpr double no_layer = 2.0;  // as large a border by the free surface has what only ends at the surface
 constexpr double parallel = 0.7;  // cosine between the skin's two sides
+constexpr int most_elements = 3;  // in the thickness of a skin; linear ones bend well enough where there are more
 
 using Face = std::array<std::uint32_t, 3>;  // nodes, ascending
 
@@ -103,19 +104,24 @@ Vec3 area_of(const anatomy::TetrahedralMesh& mesh, const ElementFace& face) {
   return area.dot(a - middle) < 0.0 ? Vec3(-area) : area;
 }
 
-// By node: which way the surface of a stiff tissue looks there, and at the nodes of the elements below it; zero
-// elsewhere.
+// By node: which way the surface of a stiff tissue looks there, at its nodes and at those up to `most_elements` below
+// it in the same tissue; zero elsewhere.
 std::vector<Vec3> outwards(const anatomy::TetrahedralMesh& mesh, const std::vector<ElementFace>& surface) {
-  std::vector<Vec3> at_surface(mesh.nodes.size(), Vec3::Zero());
-  for (const ElementFace& face : surface)
-    for (const std::uint32_t node : face.nodes) at_surface[node] += area_of(mesh, face);
-  std::vector<Vec3> found = at_surface;
-  for (const auto& element : mesh.elements) {
-    Vec3 sum = Vec3::Zero();
-    for (const std::uint32_t node : element) sum += at_surface[node];
-    if (sum.isZero(0.0)) continue;
-    for (const std::uint32_t node : element)
-      if (at_surface[node].isZero(0.0)) found[node] += sum;
+  std::vector<Vec3> found(mesh.nodes.size(), Vec3::Zero());
+  std::set<anatomy::TissueId> at_surface;
+  for (const ElementFace& face : surface) {
+    at_surface.insert(mesh.tissues[face.element]);
+    for (const std::uint32_t node : face.nodes) found[node] += area_of(mesh, face);
+  }
+  for (int below = 0; below < most_elements; ++below) {
+    const std::vector<Vec3> above = found;
+    for (std::size_t element = 0; element < mesh.elements.size(); ++element) {
+      if (!at_surface.contains(mesh.tissues[element])) continue;
+      Vec3 sum = Vec3::Zero();
+      for (const std::uint32_t node : mesh.elements[element]) sum += above[node];
+      for (const std::uint32_t node : mesh.elements[element])
+        if (above[node].isZero(0.0)) found[node] += sum;
+    }
   }
   return found;
 }
@@ -176,7 +182,7 @@ std::vector<bool> elements_of_stiff_skin(const anatomy::TetrahedralMesh& mesh, c
     const auto found = areas.find(mesh.tissues[element]);
     if (found == areas.end() || !found->second.are_of_skin()) continue;
     chosen[element] =
-        std::ranges::any_of(mesh.elements[element], [&out](std::uint32_t node) { return !out[node].isZero(0.0); });
+        std::ranges::all_of(mesh.elements[element], [&out](std::uint32_t node) { return !out[node].isZero(0.0); });
   }
   return chosen;
 }

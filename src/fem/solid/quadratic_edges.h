@@ -44,11 +44,11 @@ class QuadraticEdges {
   std::uint32_t first_unknown_ = 0;
 };
 
-// One an element: whether it belongs to a stiff skin. Linear tetrahedra are far too stiff in bending where one layer
-// of them is all there is; displacements in these elements have to be quadratic. A tissue is a stiff skin when it has
-// free surface (faces of one element whose nodes are not all `fixed`) and, one or two elements below and about
-// parallel, a border at least half as large with tissues at most half as stiff; a layer inside that only ends at the
-// surface, whose border with them is more than twice as large, is none. Its elements within two layers of that
+// One an element: whether it belongs to a stiff skin. Linear tetrahedra are far too stiff in bending where one or two
+// layers of them are all there is; displacements in these elements have to be quadratic. A tissue is a stiff skin
+// when it has free surface (faces of one element whose nodes are not all `fixed`) and, up to three elements below and
+// about parallel, a border at least half as large with tissues at most half as stiff; a layer inside that only ends
+// at the surface, whose border with them is more than twice as large, is none. Its elements up to three below the
 // surface belong to it. All tissues of the mesh must have a material.
 std::vector<bool> elements_of_stiff_skin(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials,
                                          const std::vector<bool>& fixed);
