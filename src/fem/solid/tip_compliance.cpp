@@ -23,7 +23,7 @@ constexpr int most_levels = 7;
 // How far a mesh is refined, edge by radius, and how much of the last gain is left to gain then. There the
 // gain falls by about three from level to level with linear tetrahedra, and by about four with quadratic ones.
 struct Refinement {
-  double fine_enough = 0.3, rest = 0.5;
+  double fine_enough = 0.35, rest = 0.5;
 };
 constexpr Refinement linear_refinement, quadratic_refinement{1.0, 1.0 / 3.0};
 
