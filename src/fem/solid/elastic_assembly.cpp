@@ -92,11 +92,10 @@ void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
 // N/mm between the corners of an element.
 using CornerBlocks = std::array<std::array<Mat3, 4>, 4>;
 
-// Between two shape functions. The gradient of an edge's is 4 (w_a g_b + w_b g_a); the mean of w_i over an element is
-// 1/4, that of w_i w_j 1/20, of w_i^2 1/10.
+// Between two shape functions; where p is of a corner, q is, too. The gradient of an edge's is 4 (w_a g_b + w_b g_a);
+// the mean of w_i over an element is 1/4, that of w_i w_j 1/20, of w_i^2 1/10.
 Mat3 block_between(const ShapeFunction& p, const ShapeFunction& q, const CornerBlocks& corners) {
-  if (!p.is_of_edge() && !q.is_of_edge()) return corners[p.a][q.a];
-  if (!p.is_of_edge()) return corners[p.a][q.a] + corners[p.a][q.b];
+  if (!p.is_of_edge()) return corners[p.a][q.a];
   if (!q.is_of_edge()) return corners[p.a][q.a] + corners[p.b][q.a];
   const auto mean = [](std::size_t i, std::size_t j) { return i == j ? 1.6 : 0.8; };  // times 16
   const Mat3 straight = mean(p.a, q.a) * corners[p.b][q.b] + mean(p.b, q.b) * corners[p.a][q.a],
