@@ -21,7 +21,7 @@ constexpr double layer_step = 0.05;      // mm, along the path
 constexpr double corner_of_voxel = 0.5;  // of a voxel: what the path crosses less of is no layer
 constexpr double held_radius = 4.0;      // [D] mm around the path in which a layer is held
 constexpr double held_growth = 0.3;      // [D] mm of edge per mm farther away
-// [D] mm around the path in which a stiff skin is held: one of 2 mm that is 25 times as stiff as fat then dimples 1 %
+// [D] mm around the path in which a stiff skin is held: one of 2 mm that is 25 times as stiff as fat then dimples 2 %
 // more than one that covers everything.
 constexpr double held_skin_radius = 12.0;
 constexpr double stiff = 2.0;  // skin by fat
