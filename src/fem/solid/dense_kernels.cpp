@@ -29,17 +29,39 @@ struct Operand {
 enum class Extent { all, lower };
 
 // `factor` times rows `from` to `to` and columns `first` to `last`, in strips of `width` rows, the last filled up
-// with zeros: the `width` numbers of each column in turn.
+// with zeros: the `width` numbers of each column in turn. Read in the order in which they lie in memory.
+template <std::size_t width>
 void pack_strips(const Operand& a, double factor, std::size_t from, std::size_t to, std::size_t first,
-                 std::size_t last, std::size_t width, double* packed) {
-  for (std::size_t row = from; row < to; row += width) {
-    const std::size_t rows = std::min(width, to - row);
-    for (std::size_t k = first; k < last; ++k, packed += width) {
-      const double* const column = a.at + row * a.row_step + k * a.depth_step;
-      for (std::size_t i = 0; i < rows; ++i) packed[i] = factor * column[i * a.row_step];
-      for (std::size_t i = rows; i < width; ++i) packed[i] = 0.0;
+                 std::size_t last, double* packed) {
+  const std::size_t strip = width * (last - first);
+  const auto fill = [&](std::size_t row, std::size_t k, double* at) {
+    const double* const column = a.at + row * a.row_step + k * a.depth_step;
+    if (row + width <= to && a.row_step == 1) {
+      for (std::size_t i = 0; i < width; ++i) at[i] = factor * column[i];
+      return;
     }
+    const std::size_t rows = std::min(width, to - row);
+    for (std::size_t i = 0; i < rows; ++i) at[i] = factor * column[i * a.row_step];
+    for (std::size_t i = rows; i < width; ++i) at[i] = 0.0;
+  };
+  if (a.row_step == 1) {
+    for (std::size_t k = first; k < last; ++k, packed += width) {
+      double* at = packed;
+      for (std::size_t row = from; row < to; row += width, at += strip) fill(row, k, at);
+    }
+  } else {
+    for (std::size_t row = from; row < to; row += width)
+      for (std::size_t k = first; k < last; ++k, packed += width) fill(row, k, packed);
   }
+}
+
+// For the tiles' widths.
+void pack(const Operand& a, double factor, std::size_t from, std::size_t to, std::size_t first, std::size_t last,
+          std::size_t width, double* packed) {
+  if (width == 24) return pack_strips<24>(a, factor, from, to, first, last, packed);
+  if (width == 12) return pack_strips<12>(a, factor, from, to, first, last, packed);
+  if (width == 8) return pack_strips<8>(a, factor, from, to, first, last, packed);
+  pack_strips<4>(a, factor, from, to, first, last, packed);
 }
 
 std::size_t rounded_up(std::size_t size, std::size_t to) {
@@ -74,11 +96,11 @@ void add_product(const DenseTiles& tiles, double factor, std::size_t rows, std::
     const std::size_t deep = std::min(most_packed_depth, depth - k);
     for (std::size_t j0 = 0; j0 < columns; j0 += most_packed_columns) {
       const std::size_t j1 = std::min(columns, j0 + most_packed_columns);
-      pack_strips(b, 1.0, j0, j1, k, k + deep, tiles.columns, right.get());
+      pack(b, 1.0, j0, j1, k, k + deep, tiles.columns, right.get());
       const std::size_t begin = part == Extent::lower ? j0 / tiles.rows * tiles.rows : 0;
       for (std::size_t i0 = begin; i0 < rows; i0 += most_packed_rows) {
         const std::size_t i1 = std::min(rows, i0 + most_packed_rows);
-        pack_strips(a, factor, i0, i1, k, k + deep, tiles.rows, left.get());
+        pack(a, factor, i0, i1, k, k + deep, tiles.rows, left.get());
         for (std::size_t j = j0; j < j1; j += tiles.columns) {
           for (std::size_t i = i0; i < i1; i += tiles.rows) {
             if (part == Extent::lower && i + tiles.rows <= j) continue;
