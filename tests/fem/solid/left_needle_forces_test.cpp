@@ -35,8 +35,10 @@ TEST(LeftNeedleForces, what_is_drawn_of_the_tissue_is_the_dense_solution_with_th
   const ElasticBody elastic(description, plan_body(description));
   Random random(5);
   std::vector<Vec3> points;
-  for (int i = 0; i < 100; ++i)
-    points.emplace_back(random.uniform(0.0, 36.0), random.uniform(0.0, 30.0), random.uniform(0.0, checks::top));
+  for (int i = 0; i < 100; ++i) {  // one number after the other, as arguments are not for every compiler
+    const double z = random.uniform(0.0, checks::top), y = random.uniform(0.0, 30.0), x = random.uniform(0.0, 36.0);
+    points.emplace_back(x, y, z);
+  }
   const std::vector<PointInMesh> places = find_points(description.mesh, points);
 
   NodeForces forces;
