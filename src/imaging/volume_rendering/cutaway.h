@@ -51,8 +51,8 @@ struct Cutaway {
 };
 
 // How far, 0 to 1, the mean light at two neighbours of a ray may differ from that at the two across from them, for
-// the ray to be given the mean of the four instead of being cast: three of the 255 levels of a picture.
-inline constexpr float little_bend = 3.0F / 255.0F;
+// the ray to be given the mean of the four instead of being cast: four of the 255 levels of a picture.
+inline constexpr float little_bend = 4.0F / 255.0F;
 
 // Casts the rays of the oval within a picture of `width` x `height` pixels. An oval of more than `most_rays` pixels
 // is cast at half the resolution; one that `moves` is in any case. Every second ray of every second row is cast; of

@@ -42,18 +42,27 @@ BODKIN_LANES_INLINE bool any_above(const Floats& numbers, float bound) noexcept 
 struct Gradients {
   Floats x, y, z;
 };
-BODKIN_LANES_INLINE std::int32_t gradient_at(const std::int8_t* voxel) noexcept {
-  std::int32_t word = 0;
+// Two neighbours along i are read as one word of 64 bits: the lower in its low half.
+BODKIN_LANES_INLINE std::int64_t gradients_at(const std::int8_t* voxel) noexcept {
+  std::int64_t word = 0;
   std::memcpy(&word, voxel, sizeof word);
   return word;
 }
-BODKIN_LANES_INLINE void read_gradients(const std::int8_t* from, const Indices& offset, Gradients& read) noexcept {
-  const auto at = [&](int l) { return gradient_at(from + 4 * std::size_t{offset[l]}); };
-  const Ints words = {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+BODKIN_LANES_INLINE void take_gradients(const Ints& words, Gradients& taken) noexcept {
   // Each byte into the upper end of the word, from where it is shifted down with its sign.
-  read.x = __builtin_convertvector((words << 24) >> 24, Floats);
-  read.y = __builtin_convertvector((words << 16) >> 24, Floats);
-  read.z = __builtin_convertvector((words << 8) >> 24, Floats);
+  taken.x = __builtin_convertvector((words << 24) >> 24, Floats);
+  taken.y = __builtin_convertvector((words << 16) >> 24, Floats);
+  taken.z = __builtin_convertvector((words << 8) >> 24, Floats);
+}
+BODKIN_LANES_INLINE void read_gradients(const std::int8_t* from, const Indices& offset, Gradients& here,
+                                        Gradients& next) noexcept {
+  using Pairs = std::int64_t __attribute__((vector_size(4 * packet)));
+  const auto at = [&](int l) { return gradients_at(from + 4 * std::size_t{offset[l]}); };
+  // So that the halves of the words come into order within the halves of a register.
+  const Ints outer = reinterpret_cast<Ints>(Pairs{at(0), at(1), at(4), at(5)});
+  const Ints inner = reinterpret_cast<Ints>(Pairs{at(2), at(3), at(6), at(7)});
+  take_gradients(__builtin_shufflevector(outer, inner, 0, 2, 8, 10, 4, 6, 12, 14), here);
+  take_gradients(__builtin_shufflevector(outer, inner, 1, 3, 9, 11, 5, 7, 13, 15), next);
 }
 // From `near` towards `far`.
 BODKIN_LANES_INLINE void go_between(const Gradients& far, const Floats& share, Gradients& near) noexcept {
@@ -64,11 +73,9 @@ BODKIN_LANES_INLINE void go_between(const Gradients& far, const Floats& share, G
 // At eight places, linear along i and j.
 BODKIN_LANES_INLINE void read_slice(const std::int8_t* from, const Places& places, Gradients& here) noexcept {
   Gradients next, row, next_in_row;
-  read_gradients(from, places.offset, here);
-  read_gradients(from + 4, places.offset, next);
+  read_gradients(from, places.offset, here, next);
   go_between(next, places.fx, here);
-  read_gradients(from + 4 * brick_row, places.offset, row);
-  read_gradients(from + 4 * (brick_row + 1), places.offset, next_in_row);
+  read_gradients(from + 4 * brick_row, places.offset, row, next_in_row);
   go_between(next_in_row, places.fx, row);
   go_between(row, places.fy, here);
 }
@@ -168,10 +175,13 @@ BODKIN_LANES_INLINE void add_light(const Field& field, const Way& way, Gathered&
   if (field.tissues != nullptr) colour_by_tissue(field, gathered);
   const float* const colours = field.tissues != nullptr ? field.tissue_colours : field.colours;
   Colour sums[4] = {};
-  for (int l = 0; l < count; ++l) {
-    Colour colour;
-    std::memcpy(&colour, colours + 4 * std::size_t{gathered.row[l]}, sizeof colour);
-    sums[l % 4] += gathered.shares[l] * brightness[l] * colour;
+  for (int first = 0; first < count; first += 4) {  // whole packets
+#pragma GCC unroll 4
+    for (int l = 0; l < 4; ++l) {
+      Colour colour;
+      std::memcpy(&colour, colours + 4 * std::size_t{gathered.row[first + l]}, sizeof colour);
+      sums[l] += gathered.shares[first + l] * brightness[first + l] * colour;
+    }
   }
   light += (sums[0] + sums[1]) + (sums[2] + sums[3]);
   gathered.count = 0;
