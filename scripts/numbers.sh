@@ -24,7 +24,7 @@ if [ "${1:-}" != --print ]; then
     git describe --always --dirty --exclude '*'
     sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -1
     nproc
-    "$(command -v c++)" --version | head -1
+    "$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/release/CMakeCache.txt)" --version | head -1
     cut -d' ' -f1-3 /proc/loadavg
   } > "$results/machine"
 fi
