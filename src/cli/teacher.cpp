@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "core/random_id.h"
 #include "training/store/result_store.h"
 #include "training/store/store_place.h"
 
@@ -63,7 +64,7 @@ void run_teacher(const TeacherArguments& arguments, const CommandContext& contex
   Console console(context);
   const std::string place = training::store_place(arguments.store);
   training::ResultStore store(place);  // a store that cannot be shown is said at once
-  const std::string token = report::is_loopback(arguments.address) ? std::string() : report::new_token();
+  const std::string token = report::is_loopback(arguments.address) ? std::string() : random_id();
   std::vector<std::unique_ptr<link::StationWatch>> watches;
   for (const std::string& station : arguments.stations)
     watches.push_back(std::make_unique<link::StationWatch>(link::parse_server(station, "--station")));

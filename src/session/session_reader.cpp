@@ -227,6 +227,7 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
   header.seed = number<std::uint64_t>("seed");
   header.dt = number<double>("dt_s");
   header.started_at = text("started_at");
+  if (header_.contains("recording_id")) header.recording_id = text("recording_id");
   header.path = {point("entry_mm"), point("target_mm")};
   if (!(header.dt > 1e-5 && header.dt < 1.0)) fail(fmt::format("a tick of {} s is out of range", header.dt));
   header.haptics = io::parse_haptics_xml(

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/random_id.h"
 #include "core/utc_time.h"
 #include "haptics/deadline_clock.h"
 #include "haptics/tick_clock.h"
@@ -159,6 +160,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
       case_digest(patient, header.case_xml, mesh_digest(case_folder, patient.description.haptics.resistance));
   header.dt = 1.0 / patient.description.haptics.rate;
   header.started_at = utc_now();
+  header.recording_id = random_id();
   header.path = path;
   header.haptics = patient.description.haptics;
   header.left_needles = patient.left_needles;

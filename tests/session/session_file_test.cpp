@@ -49,6 +49,7 @@ TEST(SessionFile, comes_back_bit_for_bit) {
   EXPECT_EQ(session.header.body_digest, wanted.body_digest);
   EXPECT_EQ(session.header.dt, wanted.dt);
   EXPECT_EQ(session.header.started_at, wanted.started_at);
+  EXPECT_EQ(session.header.recording_id, wanted.recording_id);
   EXPECT_EQ(session.header.path.entry, wanted.path.entry);
   EXPECT_EQ(session.header.path.target, wanted.path.target);
   EXPECT_TRUE(same_bits(session.header.haptics, wanted.haptics));
@@ -218,6 +219,7 @@ TEST(SessionFile, one_of_version_2_opens_without_diagnostics) {
   EXPECT_EQ(session.version, 2);
   EXPECT_TRUE(session.finished);
   EXPECT_TRUE(session.header.diagnostics.empty());
+  EXPECT_TRUE(session.header.recording_id.empty());
   ASSERT_EQ(session.ticks.size(), 321U);
   EXPECT_EQ(bytes_of(session.ticks[320]), bytes_of(sample_record(320)));
 }

@@ -55,6 +55,11 @@ class PoseImportTest : public testing::Test {
   PoseImport how_;
 };
 
+TEST_F(PoseImportTest, every_recording_has_an_id_of_its_own) {
+  EXPECT_EQ(header().recording_id.size(), 32U);
+  EXPECT_NE(header().recording_id, header().recording_id);
+}
+
 TEST_F(PoseImportTest, a_recorded_needle_meets_the_layers_where_the_case_has_them) {
   const PoseImportResult done = import_poses(patient_, header(), insertion("NeedleTipToReference"), how_, {});
   const Session session = read_session(how_.output);

@@ -74,7 +74,7 @@ inline void make_version_2(const std::filesystem::path& file) {
   make_version_3(file);
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
   database.exec("DROP TABLE diagnostics");
-  database.exec("DELETE FROM header WHERE key='diagnostics'");
+  database.exec("DELETE FROM header WHERE key IN ('diagnostics', 'recording_id')");
   std::string all;
   SQLite::Statement rows(database,
                          "SELECT key || char(10) || value || char(10) FROM header WHERE key NOT IN ('checksum', "
@@ -101,6 +101,7 @@ inline SessionHeader sample_header() {
   header.seed = std::numeric_limits<std::uint64_t>::max();
   header.dt = 0.001;
   header.started_at = "2026-01-02T03:04:05Z";
+  header.recording_id = "00112233445566778899aabbccddeeff";
   header.path = {{0.1, -2.5e-7, 1e9}, {4, 5, 6}};
   TrackingWallSettings wall;
   wall.catch_up = 0.1;  // which has no finite binary form

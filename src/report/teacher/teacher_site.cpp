@@ -1,7 +1,6 @@
 #include "report/teacher/teacher_site.h"
 
 #include <filesystem>
-#include <random>
 
 #include "report/recorded_report.h"
 #include "report/teacher/teacher_page.h"
@@ -136,13 +135,6 @@ HttpReply TeacherSite::page(const std::string& path) const {
   const bool is_here = !attempt->file.empty() && std::filesystem::is_regular_file(attempt->file, failure);
   if (!wants_report) return {.body = attempt_page(*attempt, is_here)};
   return is_here ? HttpReply{.body = recorded_report_html(attempt->file)} : not_found();
-}
-
-std::string new_token() {
-  std::random_device source;  // of the system
-  std::string token;
-  for (int word = 0; word < 4; ++word) token += fmt::format("{:08x}", source());
-  return token;
 }
 
 }  // namespace bodkin::report

@@ -36,7 +36,4 @@ class TeacherSite {
   std::function<std::vector<StationCard>()> stations_;
 };
 
-// 128 random bits as 32 hexadecimal digits, of the system's generator.
-std::string new_token();
-
 }  // namespace bodkin::report

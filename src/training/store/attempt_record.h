@@ -31,8 +31,8 @@ struct AttemptRecord {
   bool owns_file = false;                               // deleting the trainee deletes it
 };
 
-// 128 bits, 32 hexadecimal digits, of what a session recorded and when: the same for a copy of the file, another one
-// for every other session.
+// 128 bits, 32 hexadecimal digits, of what a session recorded, when, and by which recording: the same for a copy of
+// the file, another one for every other session.
 std::string session_digest(const session::Session& session);
 
 // The record of a session that was judged; `patient` is the name of its case. Trainee, plan and file are left to the
