@@ -134,8 +134,8 @@ TEST_F(DevicesCalibrateCommand, a_signal_ends_it_and_nothing_is_kept) {
     for (const std::string command :
          {"calibrate force_dimension --file kept.xml --countdown 0 --seconds 60 --steps workspace",
           "check force_dimension --protocol kept.xml --seconds 60"}) {
-      // It has begun as soon as it says what to do.
-      write("end.sh", begin + command + vendor + " > end.log 2>&1 &\nfor wait in $(seq 600); do " +
+      // It has begun as soon as it says what to do. What the one before it said is gone when the script looks.
+      write("end.sh", ": > end.log\n" + begin + command + vendor + " > end.log 2>&1 &\nfor wait in $(seq 600); do " +
                           "grep -q 'ove the handle\\|eave the handle' end.log && break; sleep 0.1; done\nkill -" +
                           std::string(signal) + " $!\nwait $!\n");
       const std::string line = "cd '" + folder_.string() + "' && bash end.sh";
