@@ -39,6 +39,8 @@ Page::Page(PageId id, KeyScope scope, bool needs_patient, QWidget* parent)
   setObjectName(QString::fromLatin1(name_of(id)));
 }
 
+// By value, for the pages that keep it.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void Page::set_case(std::shared_ptr<const OpenCase> /*patient*/) {}
 
 void Page::advance(double /*clock*/) {}

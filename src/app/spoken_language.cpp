@@ -36,7 +36,7 @@ QStringList languages() {
 
 QString usual_language() {
   const QStringList known = languages();
-  const QString chosen = QSettings().value(setting).toString();
+  QString chosen = QSettings().value(setting).toString();
   if (known.contains(chosen)) return chosen;
   const QString of_system = QLocale::system().name().section(QLatin1Char('_'), 0, 0);
   return known.contains(of_system) ? of_system : english;

@@ -9,11 +9,16 @@ namespace bodkin::link {
 
 namespace {
 
-constexpr int points_across = 25;
+constexpr int points_across = 25, middle_point = points_across / 2;
 constexpr double spacing = 3.0;              // mm
 constexpr double before = 40.0;              // mm of the plan's line that are searched for skin, and as many behind
 constexpr double step = 0.25;                // mm
 constexpr double farthest_from_sheet = 5.0;  // mm, of a point that goes with the skin
+
+// Of the point in column i and row j.
+std::size_t index_of(int i, int j) {
+  return static_cast<std::size_t>(j) * points_across + static_cast<std::size_t>(i);
+}
 
 // The first place along the line that is not air.
 std::optional<Vec3> skin_on(const anatomy::TissueVolume& tissues, const Vec3& from, const Vec3& along) {
@@ -34,10 +39,10 @@ SkinSheet::SkinSheet(const anatomy::Case& patient) {
   right_ = along.unitOrthogonal();
   up_ = along.cross(right_);
   index_.assign(static_cast<std::size_t>(points_across) * points_across, -1);
-  const auto at = [&](int i, int j) -> int& { return index_[static_cast<std::size_t>(j * points_across + i)]; };
+  const auto at = [&](int i, int j) -> int& { return index_[index_of(i, j)]; };
   for (int j = 0; j < points_across; ++j) {
     for (int i = 0; i < points_across; ++i) {
-      const double x = spacing * (i - points_across / 2), y = spacing * (j - points_across / 2);
+      const double x = spacing * (i - middle_point), y = spacing * (j - middle_point);
       const std::optional<Vec3> skin = skin_on(patient.tissues, middle_ + x * right_ + y * up_, along);
       if (!skin) continue;
       at(i, j) = static_cast<int>(rest_.size());
@@ -75,15 +80,14 @@ std::vector<float> SkinSheet::displacements_at(std::span<const Vec3> points, std
   if (moved.size() != rest_.size()) return found;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Vec3 from = points[p] - middle_;
-    const double x = from.dot(right_) / spacing + points_across / 2, y = from.dot(up_) / spacing + points_across / 2;
+    const double x = from.dot(right_) / spacing + middle_point, y = from.dot(up_) / spacing + middle_point;
     const double left = std::floor(x), low = std::floor(y);
     if (!(left >= 0.0 && low >= 0.0 && left + 1.0 < points_across && low + 1.0 < points_across)) continue;
     Vec3 sum = Vec3::Zero(), at_rest = Vec3::Zero();
     double weights = 0.0;
     for (int corner = 0; corner < 4; ++corner) {
       const int right = corner % 2, up = corner / 2;
-      const int at = index_[static_cast<std::size_t>((static_cast<int>(low) + up) * points_across +
-                                                     static_cast<int>(left) + right)];
+      const int at = index_[index_of(static_cast<int>(left) + right, static_cast<int>(low) + up)];
       if (at < 0) continue;
       const auto i = static_cast<std::size_t>(at);
       const double weight = (right == 1 ? x - left : 1.0 - (x - left)) * (up == 1 ? y - low : 1.0 - (y - low));

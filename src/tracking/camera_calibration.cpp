@@ -125,7 +125,7 @@ double CameraCalibration::coverage() const {
     for (const FoundCorner& corner : view.corners) {
       const int column = std::clamp(static_cast<int>(corner.at.x() * fields_across / width_), 0, fields_across - 1);
       const int row = std::clamp(static_cast<int>(corner.at.y() * fields_down / height_), 0, fields_down - 1);
-      seen[static_cast<std::size_t>(row * fields_across + column)] = true;
+      seen[static_cast<std::size_t>(row) * fields_across + static_cast<std::size_t>(column)] = true;
     }
   }
   return static_cast<double>(std::count(seen.begin(), seen.end(), true)) / static_cast<double>(seen.size());

@@ -162,7 +162,7 @@ anatomy::CaseDescription description_of(const session::Session& session) {
     tissues.back().name = each.name;
     tissues.back().title = each.title;
   }
-  const anatomy::TissueLibrary library(std::move(tissues));
+  anatomy::TissueLibrary library(std::move(tissues));
   static const io::XmlSchema schema("case.xsd");
   return io::parse_case_xml(session.header.case_xml, "the case.xml that the session keeps", schema,
                             [&](const std::string&) { return library; });

@@ -13,7 +13,7 @@ std::string readable_structure(const std::string& name) {
 
 std::string place_name(const anatomy::Case& patient, const Vec3& point) {
   const anatomy::TissueId tissue = anatomy::nearest(patient.tissues, point, anatomy::tissue::air);
-  const std::string title = patient.library.title(tissue);
+  std::string title = patient.library.title(tissue);
   if (patient.structures.empty()) return title;
   const std::uint16_t label = anatomy::nearest(patient.structures, point, std::uint16_t{0});
   for (const anatomy::Structure& structure : patient.description.structures) {

@@ -64,6 +64,17 @@ TEST(Layout, every_folder_of_src_is_a_module_with_a_level) {
   }
 }
 
+// clang-tidy sees a module at once, in one file that includes its sources: it takes them for headers, and is silent
+// about those that its filter does not name.
+TEST(Layout, clang_tidy_speaks_of_every_module) {
+  std::smatch filter;
+  const std::string settings = read_text(repository / ".clang-tidy");
+  ASSERT_TRUE(std::regex_search(settings, filter, std::regex("HeaderFilterRegex: '(.*)'")));
+  const std::regex named(filter[1].str());
+  for (const auto& [module, level] : levels)
+    EXPECT_TRUE(std::regex_match("/somewhere/src/" + module + "/file.cpp", named)) << module;
+}
+
 TEST(Layout, includes_go_downwards) {
   int checked = 0;
   for (const fs::path& file : sources(repository / "src")) {

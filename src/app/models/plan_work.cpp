@@ -33,7 +33,7 @@ std::string way_of(const patient::PathReport& report, const std::string& level) 
   }
   const double aside = std::abs(from.x()), along = std::abs(from.y()), up = std::abs(from.z());
   if (up > aside && up > along) return from.z() > 0.0 ? "from above" : "from below";
-  const std::string first = from.y() > 0.0 ? "from behind" : "from the front";
+  std::string first = from.y() > 0.0 ? "from behind" : "from the front";
   const std::string side = from.x() > 0.0 ? "left" : "right";
   if (aside < 0.27 * along) return first;
   if (along < 0.27 * aside) return fmt::format("from the {}", side);

@@ -18,7 +18,7 @@ constexpr double worth_other_slices = 0.4;  // mm: three slices take some millis
 // The point itself, or the skin below one in the air; where that is far away, the point.
 Vec3 tissue_below(const Vec3& point, const Vec3& inwards, double farthest, const anatomy::TissueVolume& tissues) {
   for (double way = 0.0; way <= farthest; way += skin_step) {
-    const Vec3 place = point + way * inwards;
+    Vec3 place = point + way * inwards;
     if (anatomy::nearest(tissues, place, anatomy::tissue::air) != anatomy::tissue::air) return place;
   }
   return point;

@@ -116,7 +116,7 @@ class PostgresqlConnection final : public SqlConnection {
   }
 
   [[noreturn]] void throw_sentence(const pqxx::sql_error& error) const {
-    const std::string code = error.sqlstate();
+    const std::string& code = error.sqlstate();
     if (code == "55P03") {
       throw SystemError(
           fmt::format("the store {} is locked by another station; nothing was changed: try again", place_));
