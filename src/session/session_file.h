@@ -44,7 +44,7 @@ struct SessionHeader {
   std::uint64_t seed = 0;
   double dt = 0.001;                                   // s
   std::string started_at;                              // ISO 8601, UTC
-  std::string recording_id;                            // of random_id(), of this recording alone; "": an older session
+  std::string recording_id;                            // of this recording alone; "": of an older session
   anatomy::NeedlePath path;                            // that the operator was given
   anatomy::HapticSettings haptics;                     // that were used: those of the case, or others in their place
   std::optional<anatomy::DeviceLimits> device;         // that was held, in place of the case's
