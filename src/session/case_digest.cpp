@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <sstream>
 #include <string_view>
 
 #include "patient/meshing/mesh_record.h"
@@ -78,9 +80,40 @@ std::string second_case_digest(const anatomy::Case& patient, const std::string& 
   return std::string(second_kind) + text_checksum(all);
 }
 
+std::string case_parts(const anatomy::Case& patient, const std::string& mesh) {
+  std::string tissues;
+  for (const anatomy::TissueProperties& tissue : patient.library.tissues()) add_parameters(tissue, tissues);
+  std::string text = fmt::format("voxels {}\ntissues {}\n", text_checksum(io::volume_digest(patient.tissues)),
+                                 text_checksum(tissues));
+  if (!mesh.empty()) text += fmt::format("mesh {}\n", text_checksum(mesh));
+  return text;
+}
+
+std::string changed_parts(const std::string& recorded, const anatomy::Case& patient, const std::string& mesh) {
+  const auto lines_of_text = [](const std::string& text) {
+    std::map<std::string, std::string> found;
+    std::istringstream stream(text);
+    for (std::string name, digest; stream >> name >> digest;) found[name] = digest;
+    return found;
+  };
+  auto before = lines_of_text(recorded), now = lines_of_text(case_parts(patient, mesh));
+  std::string changed;
+  for (const char* name : {"voxels", "tissues", "mesh"}) {
+    if (before[name] == now[name]) continue;
+    if (!changed.empty()) changed += " and ";
+    changed += name;
+  }
+  return changed;
+}
+
 std::string digest_of_body(const anatomy::Case& patient) {
   if (patient.corridor.body == nullptr) return "";
   return fmt::format("{:016x}", fem::digest_of(*patient.corridor.body));
+}
+
+std::string digest_of_points(const anatomy::Case& patient) {
+  if (patient.corridor.body == nullptr) return "";
+  return fmt::format("{:016x}", fem::points_digest_of(*patient.corridor.body));
 }
 
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml) {

@@ -15,8 +15,18 @@ std::string case_digest(const anatomy::Case& patient, const std::string& case_xm
 // there is no mesh, nothing. Throws SystemError when the mesh cannot be read.
 std::string mesh_digest(const std::filesystem::path& case_folder, const anatomy::ResistanceSettings& resistance);
 
+// Fingerprints of what case_digest() takes together, so that a replay can name what has changed: a line each for
+// voxels, tissues and mesh, its name, a blank and 16 hexadecimal digits; no line for a mesh that is not there.
+std::string case_parts(const anatomy::Case& patient, const std::string& mesh);
+
+// The parts of the case that are not as `recorded`, a result of case_parts(): "voxels", "tissues and mesh"; empty:
+// none of them.
+std::string changed_parts(const std::string& recorded, const anatomy::Case& patient, const std::string& mesh);
+
 // A fingerprint of the deformable body that the case was given, 16 hexadecimal digits; nothing without one.
 std::string digest_of_body(const anatomy::Case& patient);
+// The same of its contact points alone, without the compliance between them.
+std::string digest_of_points(const anatomy::Case& patient);
 
 // The digest of Bodkin 0.1: 16 hexadecimal digits, without the mesh and the parameters `deformable` and `acoustic`.
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml);

@@ -197,12 +197,17 @@ class NumbersTaken {
 // The equations of the body are those of the session, since check_same_case() has compared the case.
 std::string body_difference(const Session& session, const anatomy::Case& patient) {
   const std::string now = digest_of_body(patient);
-  const std::string& recorded = session.header.body_digest;
+  const std::string &recorded = session.header.body_digest, &points = session.header.body_points;
   if (recorded.empty() || now == recorded) return {};
+  const char* what = "another compliance than in the session";
+  if (now.empty()) what = "not been prepared, unlike that of the session";
+  if (!now.empty() && !points.empty())
+    what = points == digest_of_points(patient) ? "the contact points of the session, but another compliance of them"
+                                               : "other contact points than in the session";
   return fmt::format(
-      "the deformable body of the same case has another compliance than in the session (digest {}, "
-      "recorded {}): it was prepared by another version of Bodkin or METIS",
-      now.empty() ? "none" : now, recorded);
+      "the deformable body of the same case has {} (digest {}, recorded {}): it was prepared by another version of "
+      "Bodkin or METIS",
+      what, now.empty() ? "none" : now, recorded);
 }
 
 }  // namespace
@@ -289,9 +294,14 @@ void check_same_case(const Session& session, const anatomy::Case& patient, const
   const std::string mesh = mesh_digest(case_folder, session.header.haptics.resistance);
   const std::string& recorded = session.header.case_digest;
   if (is_digest_of_case(recorded, patient, xml, mesh)) return;
-  const char* what = xml != session.header.case_xml ? "its case.xml is not the one"
-                     : mesh.empty()                 ? "its voxels or tissues are not those"
-                                                    : "its voxels, tissues or mesh are not those";
+  const std::string& parts = session.header.case_parts;
+  std::string what =
+      mesh.empty() ? "its voxels or tissues are not those" : "its voxels, tissues or mesh are not those";
+  if (const std::string changed = changed_parts(parts, patient, mesh); !parts.empty() && !changed.empty()) {
+    what = fmt::format("its {} {} not {}", changed, changed == "mesh" ? "is" : "are",
+                       changed == "mesh" ? "the one" : "those");
+  }
+  if (xml != session.header.case_xml) what = "its case.xml is not the one";
   throw InputError(fmt::format("{}: {} of the session (digest {}, recorded {}); give the case as it was with --case",
                                case_folder, what, case_digest(patient, xml, mesh), recorded));
 }

@@ -62,6 +62,8 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
   if (!header.moving_body.empty()) rows.emplace_back("moving_body", header.moving_body);
   if (!header.left_needles.empty()) rows.emplace_back("left_needles_mm", left_needles_text(header.left_needles));
   if (!header.body_digest.empty()) rows.emplace_back("body_digest", header.body_digest);
+  if (!header.case_parts.empty()) rows.emplace_back("case_parts", header.case_parts);
+  if (!header.body_points.empty()) rows.emplace_back("body_points", header.body_points);
   if (!header.recording_id.empty()) rows.emplace_back("recording_id", header.recording_id);
   if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
   // In the order of the keys, in which the checksum takes them.

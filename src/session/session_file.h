@@ -38,6 +38,7 @@ struct SessionHeader {
   std::string bodkin_version;
   std::string case_folder;        // absolute path at recording time
   std::string case_digest;        // of case.xml and its volumes
+  std::string case_parts;         // of case_parts(); "": of an older session
   std::string case_xml;           // the description as it was
   std::string operator_name;      // "expert", "novice", or the script's name
   std::string operator_settings;  // JSON: every parameter of the operator
@@ -53,6 +54,7 @@ struct SessionHeader {
   std::string moving_body;  // JSON: of a body that moved on its own time (--body moving); "": it was static
   std::vector<anatomy::NeedlePath> left_needles;  // in the body before, from entry to tip
   std::string body_digest;                        // of the deformable body as it was prepared; "": there was none
+  std::string body_points;                        // the same of its contact points alone; "": none, or older
   std::vector<TissueName> tissues;                // of the case's library, in the order of their ids
   std::vector<RecordedDiagnostic> diagnostics;    // in the order of TickOutput::diagnostics, at most most_diagnostics
   RecordedVolumes volumes;                        // of the patient; none in a session of before version 5

@@ -253,6 +253,8 @@ void Reader::read_header(SQLite::Database& database, Session& session) {
     header.left_needles = *left;
   }
   if (header_.contains("body_digest")) header.body_digest = text("body_digest");
+  if (header_.contains("body_points")) header.body_points = text("body_points");
+  if (header_.contains("case_parts")) header.case_parts = text("case_parts");
   if (version_ >= session_schema::with_diagnostics && header_.contains("diagnostics"))
     header.diagnostics = diagnostics_of_header();
   session.version = version_;

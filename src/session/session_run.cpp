@@ -156,8 +156,9 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
   header.bodkin_version = BODKIN_VERSION;
   header.case_folder = std::filesystem::absolute(case_folder).lexically_normal().string();
   header.case_xml = io::read_text_file(case_folder / "case.xml", largest_case_xml);
-  header.case_digest =
-      case_digest(patient, header.case_xml, mesh_digest(case_folder, patient.description.haptics.resistance));
+  const std::string mesh = mesh_digest(case_folder, patient.description.haptics.resistance);
+  header.case_digest = case_digest(patient, header.case_xml, mesh);
+  header.case_parts = case_parts(patient, mesh);
   header.dt = 1.0 / patient.description.haptics.rate;
   header.started_at = utc_now();
   header.recording_id = random_id();
@@ -165,6 +166,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
   header.haptics = patient.description.haptics;
   header.left_needles = patient.left_needles;
   header.body_digest = digest_of_body(patient);
+  header.body_points = digest_of_points(patient);
   header.volumes = recorded_volumes(patient);
   for (const forces::DiagnosticName& one : simulation::diagnostic_names(header.haptics))
     header.diagnostics.push_back({std::string(one.name), std::string(one.title)});

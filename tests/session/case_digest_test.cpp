@@ -81,6 +81,10 @@ TEST(CaseDigest, every_setting_of_a_case_changes_it) {
   std::set<std::string> digests = {digest_of(patient)};
   expect_each_changes(patient, patient.description.needle, digests);
   expect_each_changes(patient, patient.description.device, digests);
+  patient.description.breathing.emplace();
+  digests.insert(digest_of(patient));
+  expect_each_changes(patient, *patient.description.breathing, digests);
+  patient.description.breathing.reset();
   expect_each_changes(patient, haptics, digests);
   expect_each_changes(patient, haptics.parts, digests);
   expect_each_changes(patient, haptics.compensation, digests);
@@ -122,6 +126,22 @@ TEST(CaseDigest, every_setting_of_a_case_changes_it) {
   haptics.resistance = LayeredSettings{};
   each_model(haptics.constraint, std::make_index_sequence<std::variant_size_v<ConstraintSettings>>());
   EXPECT_GT(digests.size(), 100U);
+}
+
+TEST(CaseDigest, names_the_part_of_a_case_that_has_changed) {
+  const Case patient = patient_of_two_tissues();
+  const std::string recorded = case_parts(patient, "mesh");
+  EXPECT_EQ(changed_parts(recorded, patient, "mesh"), "");
+  EXPECT_EQ(changed_parts(recorded, patient, "another mesh"), "mesh");
+  EXPECT_EQ(changed_parts(recorded, patient, ""), "mesh");
+  EXPECT_EQ(changed_parts(case_parts(patient, ""), patient, ""), "");
+  Case other = patient;
+  other.tissues.voxels.front() = other.tissues.voxels.front() == tissue::skin ? tissue::muscle : tissue::skin;
+  EXPECT_EQ(changed_parts(recorded, other, "mesh"), "voxels");
+  std::vector<TissueProperties> tissues = patient.library.tissues();
+  tissues.back().deformable.young *= 1.0 + 1e-12;
+  other.library = TissueLibrary(tissues);
+  EXPECT_EQ(changed_parts(recorded, other, "mesh"), "voxels and tissues");
 }
 
 TEST(CaseDigest, the_mesh_counts_where_a_resistance_meets_it) {

@@ -9,6 +9,7 @@
 #include "session/operator_file.h"
 #include "session/session_export.h"
 #include "session/session_run.h"
+#include "tests/io/scratch_folder.h"
 #include "tests/session/session_samples.h"
 #include "tests/session/slab_case.h"
 #include <gmock/gmock.h>
@@ -26,6 +27,8 @@ using namespace bodkin::io;
 using namespace bodkin::session;
 using namespace bodkin::simulation;
 namespace {
+
+using ::testing::HasSubstr;
 
 RunSettings settings_for(const Case& patient, const std::string& name, const std::filesystem::path& output) {
   RunSettings settings;
@@ -176,6 +179,63 @@ TEST_F(Replay, a_different_patient_gives_a_difference) {
   other.library = TissueLibrary(tissues);
   EXPECT_NE(case_digest(other, "<case/>", ""), case_digest(*patient_, "<case/>", ""));
   EXPECT_TRUE(replay_session(*session_, other).difference.has_value());
+}
+
+// The body is given, as patient::prepare_body() gives it.
+TEST_F(Replay, says_which_part_of_a_deformable_body_is_another_one) {
+  Case with_body = *patient_;
+  CondensedBody body{.nodes = {Vec3(1.0, 2.0, 3.0), Vec3(1.0, 2.0, 4.0)},
+                     .mesh_nodes = {},
+                     .tissues = {tissue::skin, tissue::fat},
+                     .compliance = Eigen::MatrixXd::Identity(6, 6)};
+  const auto said = [&](const CondensedBody& now) {
+    with_body.corridor.body = std::make_shared<const CondensedBody>(now);
+    return replay_session(*session_, with_body).body_difference;
+  };
+  Session recorded = *session_;
+  with_body.corridor.body = std::make_shared<const CondensedBody>(body);
+  recorded.header.body_digest = digest_of_body(with_body);
+  recorded.header.body_points = digest_of_points(with_body);
+  std::swap(*session_, recorded);
+  EXPECT_EQ(said(body), "");
+  CondensedBody softer = body;
+  softer.compliance(5, 5) += 1e-15;
+  EXPECT_THAT(said(softer), HasSubstr("has the contact points of the session, but another compliance of them"));
+  CondensedBody elsewhere = body;
+  elsewhere.nodes[1].z() += 1e-15;
+  EXPECT_THAT(said(elsewhere), HasSubstr("has other contact points than in the session"));
+  with_body.corridor.body = nullptr;
+  EXPECT_THAT(replay_session(*session_, with_body).body_difference, HasSubstr("has not been prepared"));
+  session_->header.body_points.clear();  // an older session
+  EXPECT_THAT(said(softer), HasSubstr("has another compliance than in the session"));
+  std::swap(*session_, recorded);
+}
+
+TEST_F(Replay, names_the_part_of_the_case_that_is_another_one) {
+  const ScratchFolder folder;
+  folder.write("case.xml", "<case/>");
+  Session recorded = *session_;
+  recorded.header.case_xml = "<case/>";
+  recorded.header.case_digest = case_digest(*patient_, "<case/>", "");
+  recorded.header.case_parts = case_parts(*patient_, "");
+  const auto refusal = [&](const Case& patient) -> std::string {
+    try {
+      check_same_case(recorded, patient, folder.path().string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(*patient_), "");
+  Case other = *patient_;
+  std::vector<TissueProperties> tissues = other.library.tissues();
+  tissues.back().layered.stiffness *= 1.0 + 1e-12;
+  other.library = TissueLibrary(tissues);
+  EXPECT_THAT(refusal(other), HasSubstr(": its tissues are not those of the session"));
+  recorded.header.case_parts.clear();  // an older session
+  EXPECT_THAT(refusal(other), HasSubstr(": its voxels or tissues are not those of the session"));
+  folder.write("case.xml", "<case></case>");
+  EXPECT_THAT(refusal(*patient_), HasSubstr(": its case.xml is not the one of the session"));
 }
 
 // The case may say one thing and the session have used another: the session's own settings are replayed.

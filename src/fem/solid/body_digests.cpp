@@ -18,10 +18,13 @@ std::uint64_t digest_of(const PackedFactor& factor) noexcept {
   return chained(0, factor.numbers().data(), factor.numbers().size());
 }
 
+std::uint64_t points_digest_of(const anatomy::CondensedBody& body) noexcept {
+  const std::uint64_t places = chained(0, body.nodes.data(), body.nodes.size());
+  return chained(places, body.tissues.data(), body.tissues.size());
+}
+
 std::uint64_t digest_of(const anatomy::CondensedBody& body) noexcept {
-  std::uint64_t chain = chained(0, body.nodes.data(), body.nodes.size());
-  chain = chained(chain, body.tissues.data(), body.tissues.size());
-  return chained(chain, body.compliance.data(), static_cast<std::size_t>(body.compliance.size()));
+  return chained(points_digest_of(body), body.compliance.data(), static_cast<std::size_t>(body.compliance.size()));
 }
 
 std::uint64_t digest_of(std::span<const float> moved) noexcept {

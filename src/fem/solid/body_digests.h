@@ -9,9 +9,11 @@
 namespace bodkin::fem {
 
 // Fingerprints (XXH3, 64 bits) of what a body was computed to, the same on every machine: of the Cholesky factor, and
-// of the nodes or contact points, their tissues and the compliance between them, and of the displacements of a mesh.
+// of the nodes or contact points, their tissues and the compliance between them, of the first two alone, and of the
+// displacements of a mesh.
 std::uint64_t digest_of(const PackedFactor& factor) noexcept;
 std::uint64_t digest_of(const anatomy::CondensedBody& body) noexcept;
+std::uint64_t points_digest_of(const anatomy::CondensedBody& body) noexcept;
 std::uint64_t digest_of(std::span<const float> moved) noexcept;
 
 }  // namespace bodkin::fem
