@@ -15,6 +15,7 @@
 #include "cli/json_values.h"
 #include "core/error.h"
 #include "core/files.h"
+#include "fem/solid/mesh_soundness.h"
 #include "imaging/mesh_picture.h"
 #include "io/case_folder.h"
 #include "io/label_scheme.h"
@@ -111,6 +112,15 @@ void require_overlap(const anatomy::TetrahedralMesh& mesh, const anatomy::Tissue
                   tiny ? "which is much smaller than the patient" : "where the case has no body"));
 }
 
+// What the body's solver would refuse later. What it would warn of is noted.
+void require_usable(const anatomy::TetrahedralMesh& mesh, const std::string& file, std::vector<std::string>& notes) {
+  try {
+    for (std::string& warning : fem::check_mesh(mesh)) notes.push_back(std::move(warning));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
 MeshOutcome import_mesh(const CaseMeshOptions& options, const anatomy::TissueLibrary& library,
                         const anatomy::TissueVolume& tissues) {
   const std::string scheme =
@@ -125,6 +135,7 @@ MeshOutcome import_mesh(const CaseMeshOptions& options, const anatomy::TissueLib
   anatomy::TetrahedralMesh mesh = patient::with_tissues(
       foreign, library, regions, options.regions.empty() ? options.import : options.regions, record.notes);
   require_overlap(mesh, tissues, options.import);
+  require_usable(mesh, options.import, record.notes);
   patient::write_case_mesh(mesh, record, options.folder);
   return {{std::move(mesh), std::move(record)}, false};
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "tests/cli/bodkin_command.h"
 #include "tests/cli/calculix_case.h"
@@ -24,8 +25,10 @@ using ::testing::Not;
 class CaseMesh : public PatientCommand {};
 
 // A block of tetrahedra around the middle of the patient, as Gmsh writes it.
-std::string block_in_patient(const json& shown, double scale) {
+std::string block_in_patient(const json& shown, double scale,
+                             const std::function<void(::bodkin::anatomy::TetrahedralMesh&)>& damage = {}) {
   ::bodkin::anatomy::TetrahedralMesh mesh = ::bodkin::block_mesh(4, 10.0);
+  if (damage) damage(mesh);
   const auto target = shown.at("procedure").at("path").at("target_mm").get<std::array<double, 3>>();
   for (auto& node : mesh.nodes) {
     node = scale * (node + ::bodkin::Vec3(target[0] - 20.0, target[1] - 20.0, target[2] - 20.0));
@@ -166,6 +169,21 @@ TEST_F(CaseMesh, refuses_what_it_cannot_use_and_writes_nothing) {
   write("good.msh", block_in_patient(shown, 1.0));
   write("metres.msh", block_in_patient(shown, 0.001));
   write("damaged.msh", "$MeshFormat\n4.1 0 8\n");
+  using ::bodkin::anatomy::TetrahedralMesh;
+  write("twice.msh", block_in_patient(shown, 1.0, [](TetrahedralMesh& mesh) {
+          mesh.elements.push_back(mesh.elements[7]);
+          mesh.tissues.push_back(mesh.tissues[7]);
+        }));
+  write(
+      "flat.msh", block_in_patient(shown, 1.0, [](TetrahedralMesh& mesh) {
+        const auto& corners = mesh.elements[7];
+        const ::bodkin::Vec3 across =
+            (mesh.nodes[corners[1]] - mesh.nodes[corners[0]]).cross(mesh.nodes[corners[2]] - mesh.nodes[corners[0]]);
+        ::bodkin::Vec3& top = mesh.nodes[corners[3]];
+        top -= across * (across.dot(top - mesh.nodes[corners[0]]) * (1.0 - 1e-7) / across.squaredNorm());
+      }));
+  write("loose.msh",
+        block_in_patient(shown, 1.0, [](TetrahedralMesh& mesh) { mesh.nodes.emplace_back(20.0, 20.0, 21.0); }));
   write("unknown.obj", "v 0 0 0\n");
   write("short.csv", "label,name,tissue,critical\n2,a,fat,no\n");
   const auto refused = [](const std::string& options, const std::string& sentence) {
@@ -183,6 +201,9 @@ TEST_F(CaseMesh, refuses_what_it_cannot_use_and_writes_nothing) {
   refused("patient --import absent.msh", "no such file");
   refused("patient --import unknown.obj", "expected .msh (Gmsh) or .vtu (VTK)");
   refused("patient --import damaged.msh", "damaged.msh, line 3");
+  refused("patient --import twice.msh", "have the same four corners");
+  refused("patient --import flat.msh", "flat.msh: ");
+  refused("patient --import loose.msh", "belongs to no element");
   refused("patient --import metres.msh", "expected patient coordinates, LPS in mm");
   refused("patient --import good.msh --regions short.csv", "no row for region 3");
 }

@@ -169,6 +169,7 @@ std::shared_ptr<const ContactBody> contact_body_with_cache(const fs::path& file,
   const auto tell = [&note](const std::string& sentence) {
     if (note) note(sentence);
   };
+  for (const std::string& warning : check_body(*body)) tell(warning);
   BodyDigest digest;
   std::error_code problem;
   if (!file.empty()) digest = digest_of({body->mesh, body->materials, body->fixed, {}});
@@ -179,7 +180,6 @@ std::shared_ptr<const ContactBody> contact_body_with_cache(const fs::path& file,
       tell(std::string("the body is prepared anew, since ") + error.what());
     }
   }
-  for (const std::string& warning : check_body(*body)) tell(warning);
   auto whole = std::make_shared<const ContactBody>(body, FactorOptions{}, progress);
   if (file.empty()) return whole;
   if (progress) progress("keeping the prepared body", 0.0);
