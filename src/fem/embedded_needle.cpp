@@ -46,7 +46,8 @@ std::size_t checked_room(const anatomy::EmbeddedNeedleSettings& settings) {
 
 EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
                                const anatomy::EmbeddedNeedleSettings& settings, double dt,
-                               const std::optional<NeedleBeam>& beam, const Eigen::MatrixXd* other)
+                               const std::optional<NeedleBeam>& beam, const Eigen::MatrixXd* other,
+                               const NeedleRelaxation& relaxation)
     : body_(checked_body(body)),
       tissues_(tissues),
       settings_(settings),
@@ -54,6 +55,7 @@ EmbeddedNeedle::EmbeddedNeedle(const anatomy::CondensedBody& body, const Contact
       beam_(beam),
       contact_nodes_(body),
       constraints_(body.compliance, checked_room(settings), beam_),
+      relaxing_(relaxation.terms, dt, settings.most_nodes + 1, relaxation.spring),
       other_(other == nullptr ? nullptr : std::make_unique<ShaftConstraints>(*other, settings.most_nodes, beam_)),
       contacts_(settings.most_nodes + 1),
       displacements_(upper_triangular::padded(3 * settings.most_nodes + 3), 0.0),
@@ -157,6 +159,7 @@ void EmbeddedNeedle::begin(const Vec3& entry, const Vec3& direction) noexcept {
   contact_nodes_.begin(entry, direction, tissues_);
   place_new_points();
   if (!line().empty()) constraints_.add_before_tip(line()[0].index);
+  relaxing_.added(constraints_.compliance());
 }
 
 void EmbeddedNeedle::begin_growing(const Vec3& entry, const Vec3& direction,
@@ -175,12 +178,14 @@ void EmbeddedNeedle::extend(std::size_t points, bool complete) noexcept {
   place_new_points();
   if (!grew || !first || line().empty()) return;
   constraints_.add_before_tip(line()[0].index);
+  relaxing_.added(constraints_.compliance());
   if (!fresh_) place_tip_contact(constraints_.compliance().row(0, 0)[0] * provisional_ + carried(0)(0));
   provisional_ = 0.0;
 }
 
 void EmbeddedNeedle::keep_first(std::size_t points) noexcept {
   contact_nodes_.keep_first(std::max(points, constraints_.known()));
+  relaxing_.drop_removed();
   placed_ = std::min(placed_, line().size());
   std::fill(punctured_.begin() + static_cast<std::ptrdiff_t>(line().size()), punctured_.end(), std::uint8_t{0});
 }
@@ -200,6 +205,7 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   frame_.col(1) = direction.cross(other).normalized();
   frame_.col(2) = direction.cross(frame_.col(1));
   constraints_.begin(frame_);
+  relaxing_.clear();
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turn_.setZero();
   bevel_energy_ = provisional_ = cut_ = 0.0;
@@ -209,7 +215,7 @@ void EmbeddedNeedle::start(const Vec3& entry, const Vec3& direction) noexcept {
   exchanging_ = false;
   begun_ = fresh_ = true;
   force_ = {};
-  published_.count = 0;
+  published_.count = elastic_.count = 0;
 }
 
 // Whether the node in front of the tip still has to be punctured.
@@ -221,6 +227,7 @@ bool EmbeddedNeedle::blocked() const noexcept {
 void EmbeddedNeedle::release_withdrawn() noexcept {
   while (captured_ > 0 && tip_ < depth_now(captured_ - 1)) {
     std::fill_n(forces_.begin() + static_cast<std::ptrdiff_t>(3 * captured_ - 3), 6, 0.0);
+    if (constraints_.known() > captured_) relaxing_.removing_last(constraints_.compliance());
     constraints_.pop();  // the node is in front of the tip again
     --captured_;
   }
@@ -236,7 +243,9 @@ void EmbeddedNeedle::place_tip_contact(double moved) noexcept {
 // is added in the tick after another capture, which bounds the cost of a tick.
 void EmbeddedNeedle::add_next_before_tip() noexcept {
   if (constraints_.known() > captured_ || captured_ >= line().size() || captured_ >= contacts_.size()) return;
-  if (constraints_.add_before_tip(line()[captured_].index)) place_tip_contact(displacement(captured_)(0));
+  if (!constraints_.add_before_tip(line()[captured_].index)) return;
+  relaxing_.added(constraints_.compliance());
+  place_tip_contact(displacement(captured_)(0));
 }
 
 bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
@@ -245,7 +254,9 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
   NodeContact& contact = contacts_[index];
   const Vec3 moved = displacement(index);
   if (index > 0 && contacts_[index - 1].lateral_compliance != 0.0) set_lateral_compliance(0.0);
-  if (!constraints_.push(node.index, node.depth)) return false;
+  const bool pushed = constraints_.push(node.index, node.depth);
+  relaxing_.added(constraints_.compliance());
+  if (!pushed) return false;
   const ShaftCompliance& compliance = constraints_.compliance();
   contact = {};
   contact.whole = is_whole(index);
@@ -365,7 +376,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
       !(std::abs(axis.squaredNorm() - 1.0) < 1e-6)) {
     force_ = {};
     force_.fault = true;
-    published_.count = 0;
+    published_.count = elastic_.count = 0;
     return force_;
   }
   const Vec3 place = frame_.transpose() * from_entry;
@@ -381,6 +392,7 @@ const EmbeddedNeedleForce& EmbeddedNeedle::step(const Pose& needle, double press
     side_ = known ? Eigen::Vector2d(-(frame_.transpose() * across).tail<2>()) : Eigen::Vector2d(0.0, 0.0);
   }
   if (begun_) {
+    relaxing_.step(constraints_.compliance(), forces_);
     if (exchanging_) prepare_exchange();
     if (fresh_ && !line().empty()) place_tip_contact(carried(0)(0));
     fresh_ = false;

@@ -14,6 +14,7 @@
 #include "fem/contact_numbers.h"
 #include "fem/contact_tissues.h"
 #include "fem/node_forces.h"
+#include "fem/relaxing_tissue.h"
 #include "fem/shaft_constraints.h"
 
 namespace bodkin::fem {
@@ -31,6 +32,12 @@ struct ProvisionalSurface {
   double compliance = 0.0;  // mm/N, along the needle; 0: nothing
   double strength = 0.0;    // N, that it takes at most
   bool is_missing = false;  // there is no contact point at all
+};
+
+// How the tissue relaxes under the needle (RelaxingTissue): nothing without terms.
+struct NeedleRelaxation {
+  std::span<const anatomy::PronyTerm> terms = {};
+  double spring = 0.0;  // mm/N, that the body's compliance contains for each pair of points, and that does not relax
 };
 
 // Result of one tick: the forces between a needle and a deformable body.
@@ -71,6 +78,8 @@ struct EmbeddedNeedleForce {
 //   of shaft in node i's part of the line; mu_t, F_p, F_c see ContactTissue. Where the body moves by itself
 //   (move_with), u_i is S f and that motion.
 //
+// With `relaxation` the tissue fades as RelaxingTissue does: u_i is S f and what it has moved by that.
+//
 // Forces are continuous. At a puncture F_p becomes friction that decays to F_c within puncture_time, and F_c to zero
 // when the tip has left the layer. Until then the layer's nodes, and the one behind it, are met at the depth of the
 // tissue as it has moved. A newly captured node has a soft lateral constraint, which stiffens as the tip moves on and
@@ -88,7 +97,8 @@ class EmbeddedNeedle {
   // the size of the body's compliance and kept by reference as well; may be null.
   EmbeddedNeedle(const anatomy::CondensedBody& body, const ContactTissues& tissues,
                  const anatomy::EmbeddedNeedleSettings& settings, double dt,
-                 const std::optional<NeedleBeam>& beam = {}, const Eigen::MatrixXd* other = nullptr);
+                 const std::optional<NeedleBeam>& beam = {}, const Eigen::MatrixXd* other = nullptr,
+                 const NeedleRelaxation& relaxation = {});
 
   // Starts an insertion: the needle touches the body at `entry` and goes along the unit vector `direction` (LPS).
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -142,11 +152,14 @@ class EmbeddedNeedle {
   void set_numbers(const ContactNumbers& numbers) noexcept;
   // Forces of the last tick, by node.
   const NodeForces& node_forces() const noexcept { return published_; }
+  // Those that move an elastic body as far as the tissue is moved now: where it relaxes, more than node_forces().
+  const NodeForces& elastic_forces() const noexcept { return relaxing_.relaxes() ? elastic_ : published_; }
   // Whether an insertion has begun and, as of the last tick, has contact nodes or its tip below the entry.
   bool touches() const noexcept { return begun_ && (captured_ > 0 || tip_ > 0.0); }
   // Whether there are contact nodes on the shaft.
   bool holds() const noexcept { return begun_ && captured_ > 0; }
-  // Elastic energy, N mm, in body, needle and lateral constraints. The cost is quadratic in the number of nodes.
+  // Elastic energy, N mm, in body, needle and lateral constraints; where tissue relaxes, without what it still holds
+  // at nodes from which the needle was withdrawn. The cost is quadratic in the number of nodes.
   double stored_energy() const noexcept;
   // mm, LPS: offset of a bending needle's shaft from the straight needle of the pose, `from_tip` mm before its tip,
   // 0 to its length. As of the last tick.
@@ -211,9 +224,12 @@ class EmbeddedNeedle {
   bool update_tip_contact() noexcept;
   void puncture() noexcept;
   void report() noexcept;
+  void publish(NodeForces& all, std::size_t node, const Vec3& force) const noexcept;
   Vec3 displacement(std::size_t index) const noexcept {
-    return constraints_.compliance().displacement(index, forces_) + carried(index);
+    return constraints_.compliance().displacement(index, forces_) + moved_otherwise(index);
   }
+  // mm, in the frame: by which a node is moved by anything but the forces of this tick.
+  Vec3 moved_otherwise(std::size_t index) const noexcept { return carried(index) + relaxing_.moved(index); }
   // mm, in the frame: by which the body has moved by itself at a node of the line.
   Vec3 carried(std::size_t index) const noexcept {
     return moves_ ? Vec3(frame_.transpose() * carried_[line()[index].index]) : Vec3(Vec3::Zero());
@@ -230,6 +246,7 @@ class EmbeddedNeedle {
   std::optional<NeedleBeam> beam_;
   ContactNodes contact_nodes_;
   ShaftConstraints constraints_;
+  RelaxingTissue relaxing_;
   std::unique_ptr<ShaftConstraints> other_;  // with the other compliance; null: there is none
   bool exchanging_ = false, exchanged_ = false;
   std::vector<NodeContact> contacts_;  // most_nodes + 1: the shaft's nodes and the one in front of the tip
@@ -258,7 +275,7 @@ class EmbeddedNeedle {
   ProvisionalSurface surface_;
   double provisional_ = 0.0;  // N, of the last tick
   EmbeddedNeedleForce force_;
-  NodeForces published_;
+  NodeForces published_, elastic_;
 };
 
 }  // namespace bodkin::fem

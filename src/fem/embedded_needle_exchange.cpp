@@ -42,13 +42,18 @@ void EmbeddedNeedle::take_exchanged() noexcept {
   if (captured_ > 0 && contacts_[captured_ - 1].lateral_compliance >= 0.0)
     other_->constrain_last_across(contacts_[captured_ - 1].lateral_compliance);
   // What the same forces would move otherwise is motion that the body has had by itself.
+  for (std::size_t i = 0; i < known; ++i)
+    Eigen::Map<Vec3>(displacements_.data() + 3 * i) =
+        Eigen::Map<const Vec3>(forces_.data() + 3 * i) + relaxing_.faded(i);
+  const std::span<const double> elastic(displacements_);
   for (std::size_t i = 0; i < known; ++i) {
-    const Vec3 now = constraints_.compliance().displacement(i, forces_);
-    const Vec3 then = other_->compliance().displacement(i, forces_);
+    const Vec3 now = constraints_.compliance().displacement(i, elastic);
+    const Vec3 then = other_->compliance().displacement(i, elastic);
     carried_[line()[i].index] += frame_ * (now - then);
     moves_ = true;
   }
   std::swap(constraints_, *other_);
+  relaxing_.exchange(constraints_.compliance());
   if (known == captured_ && constraints_.known() > captured_) place_tip_contact(displacement(captured_)(0));
 }
 

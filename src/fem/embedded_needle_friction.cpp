@@ -20,7 +20,7 @@ constexpr std::size_t release_budget = 50000;  // rotated numbers of the factor 
 void EmbeddedNeedle::place() noexcept {
   double* d = displacements_.data();
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
-    const Vec3 by_itself = carried(i);
+    const Vec3 by_itself = moved_otherwise(i);
     d[3 * i] = tip_ - contacts_[i].slip - by_itself(0);
     Eigen::Map<Eigen::Vector2d>(d + 3 * i + 1) =
         axis_offset(depth_now(i)) - contacts_[i].anchor - by_itself.tail<2>();
@@ -38,7 +38,7 @@ void EmbeddedNeedle::solve() noexcept {
   constraints_.solve_along(forces_);
   for (std::size_t i = 0; i < known; ++i) {
     contacts_[i].moved =
-        constraints_.constrained_along(i) ? tip_ - contacts_[i].slip : constraints_.moved(i) + carried(i)(0);
+        constraints_.constrained_along(i) ? tip_ - contacts_[i].slip : constraints_.moved(i) + moved_otherwise(i)(0);
   }
 }
 

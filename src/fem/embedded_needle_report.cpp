@@ -46,11 +46,18 @@ anatomy::TissueId EmbeddedNeedle::tissue_at(double depth) const noexcept {
   return line()[here].tissue;
 }
 
+void EmbeddedNeedle::publish(NodeForces& all, std::size_t node, const Vec3& force) const noexcept {
+  const Vec3 there = frame_ * force;
+  all.nodes[all.count++] = {
+      line()[node].index,
+      {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
+}
+
 void EmbeddedNeedle::report() noexcept {
   const std::size_t known = constraints_.known();
   Vec3 pushed = Vec3::Zero(), torque = Vec3::Zero();  // of the tissue, about the tip, in the frame
   Eigen::Vector2d across = Eigen::Vector2d::Zero(), moment = Eigen::Vector2d::Zero();  // on the tissue; at the hub
-  published_.count = 0;
+  published_.count = elastic_.count = 0;
   force_.nodes = static_cast<std::uint32_t>(captured_);
   force_.sticking = 0;
   for (std::size_t i = 0; i < known; ++i) {
@@ -65,11 +72,9 @@ void EmbeddedNeedle::report() noexcept {
     torque += at.cross(square);
     across += force.tail<2>();
     moment += (root_.outside + line()[i].depth) * force.tail<2>();
-    if (force == Vec3::Zero()) continue;
-    const Vec3 there = frame_ * force;
-    published_.nodes[published_.count++] = {
-        line()[i].index,
-        {static_cast<float>(there.x()), static_cast<float>(there.y()), static_cast<float>(there.z())}};
+    if (force != Vec3::Zero()) publish(published_, i, force);
+    const Vec3 faded = relaxing_.faded(i);
+    if (relaxing_.relaxes() && force + faded != Vec3::Zero()) publish(elastic_, i, force + faded);
   }
   if (beam_) {
     for (int i = 0; i < 2; ++i) pushed(0) += beam_->push_back(root_, across(i), moment(i), turn_(i));
@@ -108,10 +113,10 @@ Vec3 EmbeddedNeedle::shaft_deflection(double from_tip) const noexcept {
 }
 
 double EmbeddedNeedle::stored_energy() const noexcept {
-  double sum = 0.0;
+  double sum = relaxing_.relaxes() ? relaxing_.stored_energy(constraints_.compliance(), forces_) : 0.0;
   for (std::size_t i = 0; i < constraints_.known(); ++i) {
     const Vec3 force = Eigen::Map<const Vec3>(forces_.data() + 3 * i);
-    sum += 0.5 * force.dot(constraints_.compliance().displacement(i, forces_));
+    if (!relaxing_.relaxes()) sum += 0.5 * force.dot(constraints_.compliance().displacement(i, forces_));
     sum -= 0.5 * force.tail<2>().dot(beam_deflection(root_.outside + line()[i].depth));
     if (i < captured_ && contacts_[i].lateral_compliance > 0.0)
       sum += 0.5 * contacts_[i].lateral_compliance * force.tail<2>().squaredNorm();

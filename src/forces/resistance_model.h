@@ -51,6 +51,7 @@ struct ResistanceTraits {
   bool feels_grip = false;          // multiplies its friction with NeedleInTissue::grip
   bool passes_layers = false;       // goes by the tissue, but does not itself say when one gives way
   bool can_relax = false;           // a spring that the part `relaxation` may let fade
+  bool relaxes_itself = false;      // it takes the part `relaxation` into its own equations
   ModelDiagnosticNames diagnostics = {};
 };
 

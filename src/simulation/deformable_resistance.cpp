@@ -50,6 +50,10 @@ bool is_bevelled(anatomy::NeedleTip tip) {
   return tip == anatomy::NeedleTip::quincke || tip == anatomy::NeedleTip::tuohy || tip == anatomy::NeedleTip::chiba;
 }
 
+fem::NeedleRelaxation relaxation_in(const anatomy::Case& patient, double spring) {
+  return {patient.description.haptics.parts.relaxation, spring};
+}
+
 // The needle of the case as a beam; none when it is to be rigid.
 std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anatomy::NeedleBendingSettings& settings) {
   const anatomy::Needle& needle = patient.description.needle;
@@ -93,7 +97,8 @@ DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::Em
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
   body_ = on_spring(body, spring_);
   needle_ = std::make_unique<fem::EmbeddedNeedle>(*body_, contact_tissues(patient), settings, dt,
-                                                  beam_in(patient, settings.bending));
+                                                  beam_in(patient, settings.bending), nullptr,
+                                                  relaxation_in(patient, spring_));
 }
 
 DeformableShaft::DeformableShaft(const DeformableShaft& other, const anatomy::Case& patient,
@@ -102,9 +107,9 @@ DeformableShaft::DeformableShaft(const DeformableShaft& other, const anatomy::Ca
     : scale_(other.scale_),
       body_(std::shared_ptr<const anatomy::CondensedBody>(), &line.body()),
       spring_(other.spring_),
-      needle_(std::make_unique<fem::EmbeddedNeedle>(*body_, contact_tissues(patient), settings, dt,
-                                                    beam_in(patient, settings.bending),
-                                                    line.other().size() > 0 ? &line.other() : nullptr)),
+      needle_(std::make_unique<fem::EmbeddedNeedle>(
+          *body_, contact_tissues(patient), settings, dt, beam_in(patient, settings.bending),
+          line.other().size() > 0 ? &line.other() : nullptr, relaxation_in(patient, other.spring_))),
       bone_(patient),
       deforms_(other.deforms_),
       surface_compliance_(other.body_->compliance.topLeftCorner<3, 3>()),

@@ -27,7 +27,7 @@ inline constexpr double contact_change_time = 0.1;
 // than the device can render, the hand feels the body through a spring, which leaves stiffness_scale() of that
 // stiffness and every force. With `bending.flexible` the needle of the case bends: its tube and length are those of
 // the description. Throws InputError for a needle that is no beam (NeedleBeam), and for a cut_offset of one that does
-// not bend or has no bevel.
+// not bend or has no bevel. The part `relaxation` of the case is that of all its tissues.
 class DeformableShaft {
  public:
   using Settings = anatomy::EmbeddedNeedleSettings;
@@ -35,6 +35,7 @@ class DeformableShaft {
       .name = "embedded_needle",
       .holds_laterally = true,
       .has_shaft_friction = true,
+      .relaxes_itself = true,
       .diagnostics = {{{"tip_N", "force at the tip"},
                        {"ahead_mm", "hand ahead of the needle in the body"},
                        {"nodes", "contact points on the shaft"}}},
@@ -85,9 +86,10 @@ class DeformableShaft {
   }
   // How the tissue along the shaft has moved by itself (EmbeddedNeedle::carried_along_shaft).
   Pose tissue_motion() const noexcept { return needle_->carried_along_shaft(); }
-  // Forces on the tissue in the last tick, by contact point, and by node of the mesh.
+  // Forces on the tissue in the last tick, by contact point; and those that move the mesh as it is moved, by its
+  // nodes.
   const fem::NodeForces& point_forces() const noexcept { return needle_->node_forces(); }
-  fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->node_forces(), *body_); }
+  fem::NodeForces node_forces() const noexcept { return fem::of_mesh(needle_->elastic_forces(), *body_); }
   double stiffness_scale() const noexcept { return scale_; }
   forces::ModelDiagnostics diagnostics() const noexcept { return {tip_force_, ahead_.norm(), nodes_}; }
 

@@ -30,8 +30,9 @@ double roll_about(const Vec3& line, const Vec3& side) noexcept {
 
 // Throws InputError for a part that the model cannot have.
 void check_parts(const anatomy::ForceParts& parts, const forces::ResistanceTraits& model) {
-  if (!parts.relaxation.empty() && !model.can_relax)
-    refuse_part("relaxation", model.name, "use it with spring_damper_wall, or with tracking_wall without leash");
+  if (!parts.relaxation.empty() && !model.can_relax && !model.relaxes_itself)
+    refuse_part("relaxation", model.name,
+                "use it with embedded_needle, spring_damper_wall, or tracking_wall without leash");
   if (parts.shaft_friction && model.has_shaft_friction)
     refuse_part("shaft_friction", model.name,
                 "that model has a friction of the shaft of its own; leave the part out");
@@ -53,7 +54,7 @@ struct Resistance::State {
         deforms(goes_by_material(patient.description.haptics)) {
     const anatomy::ForceParts& parts = patient.description.haptics.parts;
     check_parts(parts, model->traits());
-    relaxes = !parts.relaxation.empty();
+    relaxes = !parts.relaxation.empty() && model->traits().can_relax;
     if (parts.needle_grasp) grasp.emplace(*parts.needle_grasp);
     if (parts.shaft_friction) friction.emplace(patient, *parts.shaft_friction, dt, model->firm_stiffness());
   }

@@ -31,8 +31,9 @@ inline EmbeddedNeedleSettings narrow_settings() {
 class NeedleRig {
  public:
   NeedleRig(const CondensedBody& body, const ContactTissues& tissues,
-            const EmbeddedNeedleSettings& settings = narrow_settings(), const std::optional<NeedleBeam>& beam = {})
-      : model(body, tissues, settings, 1e-3, beam) {
+            const EmbeddedNeedleSettings& settings = narrow_settings(), const std::optional<NeedleBeam>& beam = {},
+            const NeedleRelaxation& relaxation = {})
+      : model(body, tissues, settings, 1e-3, beam, nullptr, relaxation) {
     begin();
   }
   void begin() {

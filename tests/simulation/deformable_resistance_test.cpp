@@ -141,6 +141,33 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
   EXPECT_TRUE(begun);
 }
 
+// The hand holds still; the tissue relaxes, and the spring that stands for a weak device does not.
+TEST(DeformableResistance, tissue_relaxes_where_the_case_says_so) {
+  for (const double device : {1e6, 0.5}) {
+    Case patient = deformable_patient(EmbeddedNeedleSettings{}, device, 0.4);
+    HapticTick elastic(patient);
+    patient.description.haptics.parts.relaxation = {{.share = 0.4, .time = 0.1}};
+    HapticTick relaxing(patient);
+    const double depth = device > 1.0 ? 0.5 : 1.5;
+    push_in(elastic, depth);
+    push_in(relaxing, depth);
+    double was = 0.0, is = 0.0;
+    for (int tick = 0; tick < 3000; ++tick) {
+      was = elastic.step({along_z(depth)}).resistance;
+      is = relaxing.step({along_z(depth)}).resistance;
+    }
+    ASSERT_GT(was, 0.1);
+    if (device > 1.0)
+      EXPECT_NEAR(is, 0.6 * was, 0.01 * was);
+    else
+      EXPECT_GT(is, 0.75 * was) << "most of the way is the spring's";
+    EXPECT_LT(is, 0.98 * was);
+  }
+  Case closest = deformable_patient(ClosestNodeSettings{});
+  closest.description.haptics.parts.relaxation = {{}};
+  EXPECT_THROW(HapticTick{closest}, InputError);
+}
+
 TEST(DeformableResistance, holds_the_needle_sideways_with_force_and_torque) {
   const Case patient = deformable_patient(EmbeddedNeedleSettings{});
   HapticTick tick(patient);

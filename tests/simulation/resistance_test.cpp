@@ -75,7 +75,8 @@ TEST(Resistance, a_part_that_does_not_go_with_the_model_is_refused) {
             std::string::npos);
   EXPECT_NE(refusal(body(FractureSettings{}, relaxing)).find("relaxation does not go with fracture"),
             std::string::npos);
-  EXPECT_NE(refusal(body(TrackingWallSettings{.leash = true}, relaxing)).find("without leash"), std::string::npos);
+  EXPECT_NE(refusal(body(TrackingWallSettings{.leash = true}, relaxing)).find("or tracking_wall without leash"),
+            std::string::npos);
   EXPECT_NE(refusal(body(FractureSettings{}, grasping)).find("add the part shaft_friction"), std::string::npos);
   EXPECT_EQ(refusal(body(LayeredSettings{}, grasping)), "");
 }
