@@ -69,7 +69,7 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   ASSERT_EQ(bodkin("-q case mesh remeshed --nodes 3000 --merge-layers --force").exit_code, 0);
   const Outcome other_mesh = bodkin("-q replay felt.bodkin --case remeshed");
   EXPECT_EQ(other_mesh.exit_code, 2) << other_mesh.output;
-  EXPECT_THAT(other_mesh.errors, HasSubstr("its voxels, tissues or mesh are not those of the session"));
+  EXPECT_THAT(other_mesh.errors, HasSubstr("its mesh is not the one of the session"));
 
   const Outcome seen = bodkin("-q profile patient --deformation" + embedded + "-o seen");
   ASSERT_EQ(seen.exit_code, 0) << seen.errors;

@@ -88,7 +88,7 @@ TEST_F(ReplayCommand, needs_the_tissue_library_as_it_was) {
   const Outcome replay = bodkin("--quiet replay library.bodkin");
   unsetenv("BODKIN_SHARE");
   EXPECT_EQ(replay.exit_code, 2) << replay.output;
-  EXPECT_THAT(replay.errors, HasSubstr("its voxels or tissues are not those of the session"));
+  EXPECT_THAT(replay.errors, HasSubstr(": its tissues are not those of the session"));
 }
 
 TEST_F(ReplayCommand, needs_the_case_as_it_was) {
