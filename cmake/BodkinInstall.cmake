@@ -3,9 +3,9 @@
 include(CMakePackageConfigHelpers)
 
 set(haptic_core core anatomy forces fem haptics simulation)
-foreach(room IN LISTS haptic_core)
-  install(TARGETS bodkin_${room} EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY src/${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${room} FILES_MATCHING PATTERN "*.h")
+foreach(module IN LISTS haptic_core)
+  install(TARGETS bodkin_${module} EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY src/${module}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bodkin/${module} FILES_MATCHING PATTERN "*.h")
 endforeach()
 # Their headers are among those of fem.
 install(TARGETS bodkin_fem_solid bodkin_fem_moving EXPORT BodkinTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -184,10 +184,9 @@ struct NeedleGraspSettings {
 
 // What is added to the resistance.
 struct ForceParts {
-  // For `spring_damper_wall` and `tracking_wall` without leash.
+  // For `embedded_needle`, `spring_damper_wall` and `tracking_wall` without leash.
   std::vector<PronyTerm> relaxation;
-  // For resistances without a friction of the shaft of their own: all but `layered`, `three_component` and
-  // `shaft_friction`.
+  // For resistances without a friction of the shaft of their own (ResistanceTraits::has_shaft_friction).
   std::optional<ShaftFrictionSettings> shaft_friction;
   // Multiplies the shaft's friction with what turning the needle has wound up; for `layered`, `shaft_friction` and
   // resistances with that part.

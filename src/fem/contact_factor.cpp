@@ -186,11 +186,6 @@ bool ContactFactor::set_last_compliance(double compliance) noexcept {
   return true;
 }
 
-std::size_t ContactFactor::removal_cost(std::size_t constraint) const noexcept {
-  const std::size_t behind = rows_ - first_rows_[constraint];
-  return behind * behind / 2;
-}
-
 // Without the columns of the constraint U has too many rows. The rest of the constraint's rows, x, is rotated into
 // the triangle T below it so that T'^T T' = T^T T + x^T x, by a Givens rotation for each row of x and of T. T' then
 // takes the place of the removed rows.

@@ -71,8 +71,6 @@ class ContactFactor {
   std::size_t most_rows() const noexcept { return most_rows_; }
   // An element of U, column >= row.
   double entry(std::size_t at, std::size_t column) const noexcept { return row(at)[column]; }
-  // Cost of removing a constraint: how many numbers of U have to be rotated.
-  std::size_t removal_cost(std::size_t constraint) const noexcept;
 
  private:
   struct Row {

@@ -50,7 +50,9 @@ Look look_of(std::string_view name, std::size_t& others) {
   // A model with settings of its own: the colour of its model, the next free dashes.
   static const std::vector<std::vector<double>> spare = {{20, 6}, {2, 6},       {12, 3, 3, 3},
                                                          {5, 2},  {3, 2, 3, 6}, {16, 3, 2, 3, 2, 3}};
-  return {name, find(name.substr(0, name.find_first_of(" ;")))->colour, spare[others++ % spare.size()]};
+  const auto of_model = find(name.substr(0, name.find_first_of(" ;")));
+  constexpr std::uint32_t of_others = 0x444444;
+  return {name, of_model != looks.end() ? of_model->colour : of_others, spare[others++ % spare.size()]};
 }
 
 // The tissues that the tip passes on the insertion, over depth.

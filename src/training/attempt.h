@@ -69,9 +69,8 @@ class Attempt {
   std::optional<FinalPosition> final_tip;  // none without an insertion
   double missing = 0.0;                    // s of ticks that were lost while the needle was in the body
 
-  // Index of the first tick in contact, and of the last; only with an insertion.
+  // Index of the first tick in contact; only with an insertion.
   std::size_t first_contact() const { return insertions.front().first; }
-  std::size_t last_contact() const { return insertions.back().last; }
   // LPS mm, where at a tick tissue is that lies at `material` while the patient has breathed out.
   Vec3 now(const Vec3& material, std::size_t index) const;
   // Index of the tick of an event.

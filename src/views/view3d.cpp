@@ -193,10 +193,6 @@ void View3d::set_skin_tint(const std::vector<std::uint32_t>& tint) {
   for (scene::SoftwareView* scene : scenes()) scene->set_skin_tint(tint);
 }
 
-void View3d::set_plan_shown(bool shown) {
-  plan_shown_ = shown;
-}
-
 std::vector<Vec3> View3d::deformable_points() const {
   return scene_ ? scene_->deformable_points() : std::vector<Vec3>{};
 }
@@ -259,7 +255,7 @@ void View3d::update_scene(const Frame& frame) {
   scene::SceneMarks marks;
   marks.path = frame.plan;
   marks.target_tolerance = frame.target_tolerance;
-  marks.path_shown = plan_shown_;
+  marks.path_shown = true;
   marks.broken = frame.plan_broken;
   marks.trails = trails_;
   if (frame.plan && (frame.state == State::ready || frame.state == State::aiming)) {

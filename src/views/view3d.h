@@ -63,8 +63,6 @@ class View3d : public View {
   void choose_view(scene::StandardView view);
   // Needles that were left in the body.
   void set_left_needles(std::vector<scene::NeedleLook> needles);
-  // The dashed line of the plan, the ring at the target.
-  void set_plan_shown(bool shown);
   // See scene::SoftwareView::set_skin_tint; once is_ready().
   void set_skin_tint(const std::vector<std::uint32_t>& tint);
   // Ways of the tip in finished sessions; null: none.
@@ -159,7 +157,7 @@ class View3d : public View {
   bool opens_as_saved_ = true;
   LookPanel* panel_ = nullptr;
   std::optional<Workspace> workspace_;
-  bool plan_shown_ = true, outside_only_ = false;
+  bool outside_only_ = false;
   std::vector<scene::NeedleLook> left_needles_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;
   scene::NeedleLook needle_;

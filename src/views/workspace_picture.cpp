@@ -59,10 +59,6 @@ WorkspacePicture::Side WorkspacePicture::side(bool from_above) const {
   return side;
 }
 
-QPointF WorkspacePicture::place_from_above(const Vec3& point) const {
-  return side(true).place(point);
-}
-
 void WorkspacePicture::draw_side(QPainter& painter, const Side& side, const QString& title) const {
   const Theme& theme = Theme::now();
   set_font(painter, label_size);

@@ -16,8 +16,6 @@ class WorkspacePicture : public QWidget {
 
   // `hand`: mm, operator's frame; nothing: the device is not open. `force`: N, of `strongest` N.
   void show_hand(const haptics::DeviceAbilities& abilities, const std::optional<Pose>& hand, double force);
-  // Where the tool's point is drawn in the picture from above, pixels.
-  QPointF place_from_above(const Vec3& point) const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -289,7 +289,7 @@ TEST_F(Haply, no_round_lasts_long_and_silence_is_told_after_20_ms) {
   EXPECT_EQ(fault, DeviceFault::communication_lost);
   EXPECT_GE(Clock::now() - begin, 20ms);
   EXPECT_LT(Clock::now() - begin, 500ms);  // 25 ms on a machine that is not busy
-  EXPECT_LT(longest, 200ms);               // 5 ms, likewise
+  EXPECT_LT(longest, 200ms);               // 5 ms there
   service_->oddity() = Oddity::none;
 }
 

@@ -168,6 +168,19 @@ TEST(Layout, a_file_holds_one_idea) {
   }
 }
 
+TEST(Layout, no_module_holds_more_than_13_percent_of_the_lines) {
+  std::map<std::string, std::ptrdiff_t> lines;
+  std::ptrdiff_t all = 0;
+  for (const fs::path& file : sources(repository / "src")) {
+    const std::string text = read_text(file);
+    const auto count = std::count(text.begin(), text.end(), '\n');
+    lines[module_of(file)] += count;
+    all += count;
+  }
+  for (const auto& [module, count] : lines)
+    EXPECT_LE(100 * count, 13 * all) << module << ": " << count << " of " << all;
+}
+
 TEST(Layout, every_public_header_compiles_first_in_its_own_source_file) {
   for (const fs::path& file : sources(repository / "src")) {
     fs::path header = file;

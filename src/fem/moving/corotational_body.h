@@ -63,7 +63,6 @@ class CorotationalBody {
   void release(std::uint32_t node) noexcept;
   bool held(std::uint32_t node) const noexcept { return held_[node] != 0; }  // or fixed
   bool fixed(std::uint32_t node) const noexcept { return held_[node] == 2; }
-  std::span<const std::uint8_t> all_held() const noexcept { return held_; }
 
   // Forces from outside, N, that act until they are cleared. On held nodes they do nothing; not finite ones count as
   // none.

@@ -38,7 +38,7 @@ void check_corridor(const BodyDescription& body) {
 }
 
 // For every node of the mesh.
-std::vector<anatomy::TissueId> all_stiffest_tissues(const BodyDescription& body) {
+std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body) {
   std::vector<anatomy::TissueId> tissues(body.mesh.nodes.size());
   std::vector<double> young(body.mesh.nodes.size(), 0.0);
   for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {
@@ -77,20 +77,12 @@ std::vector<std::string> check_body(const BodyDescription& body) {
   return warnings;
 }
 
-std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body,
-                                                const std::vector<std::uint32_t>& nodes) {
-  const std::vector<anatomy::TissueId> all = all_stiffest_tissues(body);
-  std::vector<anatomy::TissueId> tissues;
-  for (const std::uint32_t node : nodes) tissues.push_back(all[node]);
-  return tissues;
-}
-
 BodyPlan plan_body(const BodyDescription& body, const Progress& progress, QuadraticEdges edges) {
   if (progress) progress("assembling the body", 0.0);
   BodyPlan plan;
   plan.system = assemble(body.mesh, body.materials, body.fixed, std::move(edges));
   if (progress) progress("ordering the body", 0.0);
-  const std::vector<anatomy::TissueId> tissues = all_stiffest_tissues(body);
+  const std::vector<anatomy::TissueId> tissues = stiffest_tissues(body);
   std::vector<std::uint32_t> last;
   for (const std::uint32_t node : body.corridor) {
     if (plan.system.free_nodes[node] == ElasticSystem::fixed) continue;

@@ -26,9 +26,6 @@ struct BodyDescription {
 // place and remedy; returns warnings of a mesh that is poor, one sentence each.
 std::vector<std::string> check_body(const BodyDescription& body);
 
-// Of each of these nodes of the mesh, the tissue of the stiffest element that it belongs to.
-std::vector<anatomy::TissueId> stiffest_tissues(const BodyDescription& body, const std::vector<std::uint32_t>& nodes);
-
 // The equations of a body and how they will be solved. Says what memory that takes before it is taken:
 // plan.symbolic.bytes().
 struct BodyPlan {

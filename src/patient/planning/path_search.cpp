@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <numbers>
-#include <thread>
+#include <stop_token>
 
 #include <fmt/format.h>
 
 #include "anatomy/label_distance.h"
 #include "core/error.h"
+#include "core/parallel_for.h"
 
 namespace bodkin::patient {
 namespace {
@@ -68,15 +68,9 @@ class Searcher {
 
   std::vector<Look> look_along(const std::vector<Vec3>& ways) const {
     std::vector<Look> looks(ways.size());
-    const auto part = [&](std::size_t begin, std::size_t step) {
-      for (std::size_t i = begin; i < ways.size() && !stop_.stop_requested(); i += step) looks[i] = look(ways[i]);
-    };
-    const std::size_t threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
-    std::vector<std::jthread> others;
-    for (std::size_t thread = 1; thread < threads; ++thread)
-      others.emplace_back([&part, thread, threads] { part(thread, threads); });
-    part(0, threads);
-    others.clear();
+    parallel_for(ways.size(), [&](std::size_t i) {
+      if (!stop_.stop_requested()) looks[i] = look(ways[i]);
+    });
     if (stop_.stop_requested()) std::erase_if(looks, [](const Look& one) { return one.candidate.score == 0.0; });
     return looks;
   }

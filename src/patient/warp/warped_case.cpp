@@ -1,11 +1,11 @@
 #include "patient/warp/warped_case.h"
 
 #include <cmath>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "anatomy/tissue_surface.h"
+#include "core/parallel_for.h"
 
 namespace bodkin::patient {
 
@@ -63,19 +63,10 @@ anatomy::Volume<Voxel> resampled(const anatomy::Volume<Voxel>& from, const SkinF
   if (from.empty()) return {};
   anatomy::Volume<Voxel> to(moved_grid(from.grid, fit.moved()));
   const CoarseMap map(fit, to.grid);
-  const int threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  std::vector<std::jthread> workers;
-  for (int worker = 0; worker < threads; ++worker) {
-    workers.emplace_back([&, worker] {
-      for (int k = worker; k < to.grid.size[2]; k += threads) {
-        for (int j = 0; j < to.grid.size[1]; ++j) {
-          for (int i = 0; i < to.grid.size[0]; ++i)
-            to.at(i, j, k) = value(from, map(to.grid.to_patient(Vec3(i, j, k))));
-        }
-      }
-    });
-  }
-  workers.clear();
+  parallel_for(to.grid.size[2], [&](int k) {
+    for (int j = 0; j < to.grid.size[1]; ++j)
+      for (int i = 0; i < to.grid.size[0]; ++i) to.at(i, j, k) = value(from, map(to.grid.to_patient(Vec3(i, j, k))));
+  });
   return to;
 }
 
