@@ -244,8 +244,7 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
                                   : fmt::format("tip in {}, {:.0f} mm deep", needle_->tissue, needle_->depth),
           needle_->bone ? alarm : steel);
   }
-  if (is_shown_ && cutaway_.coarser() && !coarse_by_motion_)
-    write("large cutaway: drawn at half the resolution", warning);
+  if (is_large()) write("large cutaway: drawn at half the resolution", warning);
   canvas.draw_over(picture);
 }
 

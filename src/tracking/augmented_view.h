@@ -61,6 +61,8 @@ class AugmentedView {
   const std::optional<NeedleInPatient>& needle() const { return needle_; }
   // Null: there is none in it.
   const imaging::Cutaway* cutaway() const { return is_shown_ ? &cutaway_ : nullptr; }
+  // Its oval is so large that it is cast at half the resolution, however still it is (imaging::cast_cutaway).
+  bool is_large() const { return is_shown_ && cutaway_.large; }
   // s that the rays took; 0: those of a picture before were used again.
   double cast_seconds() const { return cast_seconds_; }
 

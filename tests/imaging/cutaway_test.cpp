@@ -132,7 +132,9 @@ TEST(Cutaway, a_large_oval_is_cast_at_half_the_resolution_and_an_oval_beside_the
     return cast_cutaway(caster, camera, oval, 400, 300, pool, false, 20000);
   };
   EXPECT_TRUE(cast({{200.0, 150.0}, {150.0, 120.0}, 0.7}).coarser());
+  EXPECT_TRUE(cast({{200.0, 150.0}, {150.0, 120.0}, 0.7}).large);
   EXPECT_FALSE(cast({{200.0, 150.0}, {50.0, 50.0}, 0.7}).coarser());
+  EXPECT_FALSE(cast({{200.0, 150.0}, {50.0, 50.0}, 0.7}).large);
   const Cutaway beside = cast({{900.0, 150.0}, {50.0, 50.0}, 0.7});
   EXPECT_EQ(beside.rays, 0);
   ImageRgb picture(400, 300);

@@ -204,6 +204,40 @@ TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
   EXPECT_EQ(outline(nullptr), at_rest);  // let go
 }
 
+// Issue 19: an oval of four times the pixels falls back to a coarser cast and says so, in the picture where it has
+// words, and by is_large() where it has none; also while the mannequin moves.
+TEST_F(AugmentedViewTest, an_oval_of_four_times_the_pixels_is_cast_coarser_and_says_so) {
+  AugmentedLook look;
+  look.needle = look.front_view = look.plan = false;
+  const auto warned = [&](AugmentedView& view) {
+    imaging::ImageRgb picture(camera_.width, camera_.height);
+    view.draw(picture, &mannequin_pose_, {}, nullptr);
+    int yellow = 0;
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 420; ++x) {
+        const auto& pixel = picture.at(x, y);
+        yellow += pixel.red > 200 && pixel.green > 150 && pixel.blue < 120 ? 1 : 0;
+      }
+    }
+    return yellow;
+  };
+  AugmentedView view(patient_, camera_, Similarity(), look);
+  EXPECT_EQ(warned(view), 0);
+  EXPECT_FALSE(view.is_large());
+  EXPECT_EQ(view.cutaway()->step, 1);
+  look.radii *= 2.0;
+  view.set_look(look);
+  EXPECT_GT(warned(view), 100);
+  EXPECT_TRUE(view.is_large());
+  EXPECT_EQ(view.cutaway()->step, 2);
+  mannequin_pose_.camera_from_body.translation().x() += 5.0;
+  EXPECT_GT(warned(view), 100) << "while it moves";
+  look.status = false;
+  view.set_look(look);
+  EXPECT_EQ(warned(view), 0);
+  EXPECT_TRUE(view.is_large());
+}
+
 // What is used again is used for the same tissue only; what moves less than can be seen costs no rays.
 TEST_F(AugmentedViewTest, rays_are_cast_anew_when_the_tissue_moves) {
   const imaging::MovedTissue one = moved_by(Vec3(-12.0, 0.0, 8.0)), same = moved_by(Vec3(-12.0, 0.0, 8.01)),

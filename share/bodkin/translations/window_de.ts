@@ -553,6 +553,10 @@
         <translation>%1 Bilder/s, jedes %2 ms nach seiner Ankunft.</translation>
     </message>
     <message>
+        <source>Large oval: drawn at half the resolution.</source>
+        <translation>Großes Oval: mit halber Auflösung gezeichnet.</translation>
+    </message>
+    <message>
         <source>Without ultrasound: %1</source>
         <translation>Ohne Ultraschall: %1</translation>
     </message>

@@ -82,6 +82,7 @@ class CameraWatch::Show {
       if (body.name == "probe") news.probe = tool;
     }
     view_.draw(picture.colour, &mannequin, tools, moved_.get());
+    news.large_oval = view_.is_large();
     if (view_.needle()) {
       news.tip = view_.needle()->tissue;
       news.tip_on_bone = view_.needle()->bone;

@@ -43,6 +43,7 @@ struct CameraNews {
   std::optional<Pose> needle, probe;  // LPS mm, third axis into the patient; none: not seen well in this picture
   std::string tip;                    // what the needle's tip is in; empty: outside, or no needle
   bool tip_on_bone = false;
+  bool large_oval = false;  // so large that the patient in it is drawn at half the resolution
 };
 
 // Pictures of a camera, a video or a folder, with the patient drawn into the mannequin, on a thread of its own: each

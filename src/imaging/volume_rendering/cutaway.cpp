@@ -72,7 +72,8 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
   if (made.left > made.right || made.top > made.bottom) return made;
   constexpr double share_of_ellipse = 0.7853981633974483;
   const double area = share_of_ellipse * (made.right - made.left + 1.0) * (made.bottom - made.top + 1.0);
-  made.step = moves || area > most_rays ? 2 : 1;
+  made.large = area > most_rays;
+  made.step = moves || made.large ? 2 : 1;
   made.columns = (made.right - made.left) / made.step + 2;
   made.rows = (made.bottom - made.top) / made.step + 2;
   made.lights.resize(static_cast<std::size_t>(made.columns) * static_cast<std::size_t>(made.rows));

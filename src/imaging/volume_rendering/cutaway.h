@@ -42,6 +42,7 @@ struct Cutaway {
   CutawayOval oval;
   int left = 0, top = 0, right = -1, bottom = -1;  // pixels of the picture, both ends within; right < left: none
   int step = 1;                                    // pixels between rays; 2: the rest is interpolated
+  bool large = false;                              // of more pixels than rays may be cast, so that step is 2
   int columns = 0, rows = 0;                       // of rays
   int rays = 0;                                    // that were cast
   std::vector<Light> lights;                       // row by row

@@ -304,6 +304,18 @@ TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
   EXPECT_TRUE(wait([&] { return page_.news().number > held + 2; }));
 }
 
+TEST_F(CameraPageTest, a_large_oval_is_drawn_coarser_and_the_line_says_so) {
+  start(render("footage").folder);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  const auto says_so = [&] { return line().find("Large oval: drawn at half the resolution.") != std::string::npos; };
+  EXPECT_FALSE(says_so()) << line();
+  for (int i = 0; i < 10; ++i) page_.press(QKeySequence(Qt::Key_Plus));  // twice as wide and as high
+  EXPECT_TRUE(wait(says_so)) << line();
+  EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
+  for (int i = 0; i < 10; ++i) page_.press(QKeySequence(Qt::Key_Minus));
+  EXPECT_TRUE(wait([&] { return !says_so(); })) << line();
+}
+
 TEST_F(CameraPageTest, pictures_without_a_calibration_are_shown_alone_and_that_is_said) {
   const tracking::Footage footage = render("footage");
   std::filesystem::remove(footage.folder / "camera.json");
