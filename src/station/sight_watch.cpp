@@ -1,6 +1,7 @@
 #include "station/sight_watch.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,7 @@ namespace {
 constexpr double a_moment = 0.5;  // s
 }
 
-std::string SightWatch::follow(const StationStatus& status) {
+std::string SightWatch::follow(const StationStatus& status, const haptics::DeviceServo& servo) {
   for (const session::SessionEvent& event : status.events) {
     if (event.event.kind == forces::EventKind::hand_lost) {
       ++times_;
@@ -24,7 +25,7 @@ std::string SightWatch::follow(const StationStatus& status) {
   }
   if (!is_unseen_ || was_told_ || status.time - since_ < a_moment) return {};
   was_told_ = true;
-  return "the needle is not seen and rests where it was";
+  return fmt::format("{:.1f} s: the needle is not seen and rests where it was: {}", status.time, servo.explain());
 }
 
 std::string SightWatch::summary(double end) const {
@@ -33,6 +34,13 @@ std::string SightWatch::summary(double end) const {
   return fmt::format(
       "the needle was not seen {} {}, {:.2f} s in all; it rested where it was, and 'bodkin report' shows when",
       times_, times_ == 1 ? "time" : "times", all);
+}
+
+std::vector<std::string> notes_of_pictures(const DeviceChoice& device, const haptics::DeviceServo& servo) {
+  if (!device.is_seen()) return {};
+  std::string known = servo.explain();
+  if (known.empty()) return {};
+  return {std::move(known)};
 }
 
 }  // namespace bodkin::station

@@ -317,6 +317,7 @@ void Station::start() {
   parts.press_plunger(parts.options.device.is_simulated() || parts.options.device.is_recorded());
   parts.session->start();
   parts.begin = Clock::now();
+  for (const auto& note : notes_of_pictures(parts.options.device, parts.session->servo())) parts.observer.note(note);
   command(StationCommand::arm);
 }
 
@@ -337,8 +338,7 @@ const StationStatus& Station::update() {
   status.diagnostic_names = parts.session->diagnostic_names();
   status.samples = parts.session->take_samples();
   status.events = parts.session->take_events();
-  if (const std::string lost = parts.sight.follow(status); !lost.empty())
-    parts.say(fmt::format("{:.1f} s: {}: {}", status.time, lost, parts.session->servo().explain()));
+  if (const auto lost = parts.sight.follow(status, parts.session->servo()); !lost.empty()) parts.say(lost);
   if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
   if (status.servo.device.ended()) end();
   parts.disarm_second_on_fault();

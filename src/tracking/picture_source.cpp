@@ -9,6 +9,7 @@
 #include "tracking/video_device.h"
 #include "tracking/video_reader.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.h"
 
@@ -46,6 +47,10 @@ class FolderSource : public PictureSource {
 };
 
 }  // namespace
+
+std::string sentence_of(const std::vector<std::string>& notes) {
+  return fmt::format("{}", fmt::join(notes, "; "));
+}
 
 std::unique_ptr<PictureSource> open_source(const std::string& name, const SourceOptions& options) {
   std::error_code code;

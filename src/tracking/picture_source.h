@@ -46,6 +46,9 @@ class PictureSource {
   bool live() const { return count() == 0; }
 };
 
+// Notes as one sentence; empty: there are none.
+std::string sentence_of(const std::vector<std::string>& notes);
+
 // What a source is opened with.
 struct SourceOptions {
   double rate = 30.0;                   // of a folder that has no times, and asked of a camera; pictures/s

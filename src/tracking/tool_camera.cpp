@@ -21,8 +21,10 @@ constexpr int pictures_before_doubt = 30;  // without a marker, until it is said
 ToolCamera::ToolCamera(OpenedFootage footage, const Similarity& mannequin_from_patient, std::string name)
     : name_(std::move(name)),
       footage_(std::move(footage)),
-      sightings_(std::make_shared<ToolSightings>(footage_.bodies, mannequin_from_patient, footage_.source->live())),
-      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+      sightings_(std::make_shared<ToolSightings>(footage_.bodies, mannequin_from_patient, footage_.source->live())) {
+  sightings_->note(sentence_of(footage_.source->notes()));
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
 
 ToolCamera::~ToolCamera() = default;
 

@@ -150,6 +150,7 @@ class TrackedTool : public haptics::OpenDevice {
     const double elapsed = last_ > 0.0 ? std::min(now - last_, longest_step) : 0.0;
     last_ = now;
     const ToolMotion::Place& place = motion_.step(*feed_, now, elapsed);
+    seen_.store(place.seen, std::memory_order_relaxed);
     state = haptics::blank_state();
     Eigen::Map<Vec3>(state.position) = to_operator_ * (place.pose.translation() - settings_.middle);
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.rotation) = to_operator_ * place.pose.linear();
@@ -157,7 +158,10 @@ class TrackedTool : public haptics::OpenDevice {
     return feed_->failed() ? BODKIN_COMMUNICATION_LOST : BODKIN_OK;
   }
 
-  std::string explain() override { return feed_->trouble(); }
+  // While all is well, what is to be known of the pictures.
+  std::string explain() override {
+    return seen_.load(std::memory_order_relaxed) && !feed_->failed() ? feed_->note() : feed_->trouble();
+  }
 
  private:
   void open(bool anew) {
@@ -200,7 +204,8 @@ class TrackedTool : public haptics::OpenDevice {
   ToolSighting first_;
   double begin_ = 0.0;  // s, of footage
   ToolMotion motion_;
-  double last_ = 0.0;  // s, monotonic, of the exchange before
+  std::atomic<bool> seen_{true};  // by the exchange before; first_ was
+  double last_ = 0.0;             // s, monotonic, of the exchange before
   bool started_ = false;
 };
 

@@ -63,6 +63,11 @@ std::string ToolFeed::trouble() const {
   return {};
 }
 
+std::string ToolFeed::note() const {
+  const std::lock_guard guard(lock_);
+  return note_;
+}
+
 ToolSightings::ToolSightings(std::vector<MarkerBody> bodies, const Similarity& mannequin_from_patient, bool live)
     : bodies_(std::move(bodies)), place_(mannequin_from_patient), live_(live) {
   mannequin_ = place_of(bodies_, "mannequin");
@@ -87,6 +92,7 @@ std::shared_ptr<ToolFeed> ToolSightings::follow(const std::string& tool) {
   {
     const std::lock_guard inner(feed->lock_);
     feed->warning_ = warning_;
+    feed->note_ = note_;
     if (end_) feed->end_ = *end_;
   }
   if (end_) {
@@ -156,6 +162,17 @@ void ToolSightings::warn(const std::string& sentence) {
     if (const std::shared_ptr<ToolFeed> feed = follower.feed.lock()) {
       const std::lock_guard inner(feed->lock_);
       feed->warning_ = sentence;
+    }
+  }
+}
+
+void ToolSightings::note(const std::string& sentence) {
+  const std::lock_guard guard(lock_);
+  note_ = sentence;
+  for (const Follower& follower : followers_) {
+    if (const std::shared_ptr<ToolFeed> feed = follower.feed.lock()) {
+      const std::lock_guard inner(feed->lock_);
+      feed->note_ = sentence;
     }
   }
 }

@@ -57,6 +57,9 @@ class ToolFeed {
 
   // Any thread but the follower's tick: why nothing is known of the tool, one sentence; empty: it is seen.
   std::string trouble() const;
+  // Any thread but the follower's tick: what a user should know of the pictures themselves (ToolSightings::note());
+  // empty: nothing.
+  std::string note() const;
   const std::string& tool() const noexcept { return tool_; }
 
  private:
@@ -68,8 +71,8 @@ class ToolFeed {
   std::atomic<double> delay_{0.0}, newest_{-1e300};
   std::atomic<bool> ended_{false}, failed_{false};
   std::atomic<Unseen> unseen_{Unseen::tool_lost};
-  mutable std::mutex lock_;  // guards the two below
-  std::string end_, warning_;
+  mutable std::mutex lock_;  // guards the three below
+  std::string end_, warning_, note_;
 };
 
 // Tells followers where tools are in the patient, by the poses of each picture.
@@ -89,6 +92,8 @@ class ToolSightings {
   bool is_waiting() const;
   // What a user should know of camera and light while it is so; empty: nothing.
   void warn(const std::string& sentence);
+  // What a user should know of the pictures from now on, such as that their rate varies (PictureSource::notes()).
+  void note(const std::string& sentence);
   // No picture comes any more; `failure`: why, a sentence; empty: the footage is over.
   void end(const std::string& failure);
 
@@ -116,7 +121,7 @@ class ToolSightings {
   std::vector<double> delays_;                   // s, of the last pictures
   double delay_ = 0.0;
   std::optional<double> last_;  // time of the picture before
-  std::string warning_;
+  std::string warning_, note_;
   std::optional<std::string> end_;
 };
 

@@ -1,6 +1,7 @@
 // `bodkin perform CASE tracked:FOOTAGE`: a real needle that a camera sees, recorded and judged like any other hand.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -28,6 +29,7 @@ using ::bodkin::forces::EventKind;
 using ::bodkin::session::Session;
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class PerformTracked : public PatientCommand {
  protected:
@@ -183,6 +185,21 @@ TEST_F(PerformTracked, a_needle_that_is_hidden_rests_and_the_session_says_for_ho
   EXPECT_EQ(metric(score, "times_unseen"), 1.0);
   EXPECT_NEAR(metric(score, "unseen_s"), seconds, 1e-9);
   EXPECT_EQ(bodkin("-q replay hidden.bodkin").exit_code, 0);
+}
+
+TEST_F(PerformTracked, says_that_the_rate_of_its_video_varies) {
+  ASSERT_EQ(bodkin("--quiet scene render brief --frames 5 --rate 10 --width 640 --height 360").exit_code, 0);
+  // The last picture comes late.
+  const std::string command = fmt::format(
+      "ffmpeg -v error -framerate 10 -i '{0}/brief/frame_%05d.png' -vf \"setpts='if(lt(N,4),N,7)*0.1/TB'\" -vsync "
+      "passthrough -c:v ffv1 -pix_fmt gray '{0}/uneven.mkv'",
+      folder_.string());
+  ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT: a fixed command
+  const std::string files = "--settings 'camera=brief/camera.json bodies=brief/bodies.json'";
+  const Outcome outcome = bodkin("perform patient tracked:uneven.mkv -o uneven.bodkin " + files);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
+  EXPECT_THAT(outcome.errors, HasSubstr("uneven.mkv: the time between pictures varies from 100 to 400 ms"));
+  EXPECT_THAT(bodkin("perform patient tracked:brief -o even.bodkin").errors, Not(HasSubstr("varies")));
 }
 
 TEST_F(PerformTracked, what_it_cannot_do_is_one_sentence) {

@@ -1,6 +1,7 @@
 // A real tool as the hand of a session: where it is, and what is refused.
 #include "tracking/tool_driver.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 #include <utility>
@@ -106,6 +107,25 @@ TEST_F(ToolDriver, follows_what_a_window_tracks_already) {
   const Vec3 tip = station_bodies()[1].tip;
   EXPECT_LT((in_patient(state_after(port, 50).hand.translation(), Vec3::Zero()) - tip).norm(), 1e-6)
       << "of the announced poses, not of the footage";
+}
+
+TEST_F(ToolDriver, says_what_is_to_be_known_of_its_pictures_while_the_tool_is_seen) {
+  // From the third picture on, four times as slow.
+  const fs::path video = folder_ / "uneven.mkv";
+  const std::string command = fmt::format(
+      "ffmpeg -v error -framerate 10 -i '{}/frame_%05d.png' -vf \"setpts='if(lt(N,2),N,2+4*(N-2))*0.1/TB'\" "
+      "-vsync passthrough -c:v ffv1 -pix_fmt gray '{}'",
+      source(), video.string());
+  ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT: a fixed command
+  haptics::DevicePort port(tool_driver(), video.string(),
+                           fmt::format("camera={0}/camera.json bodies={0}/bodies.json", source()));
+  port.start();
+  EXPECT_FALSE(state_after(port, 20).unseen());
+  EXPECT_THAT(port.explain(), AllOf(HasSubstr("uneven.mkv"), HasSubstr("varies from 100 to 400 ms")));
+  haptics::DevicePort even(tool_driver(), source(), "");
+  even.start();
+  EXPECT_FALSE(state_after(even, 20).unseen());
+  EXPECT_EQ(even.explain(), "");
 }
 
 TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {

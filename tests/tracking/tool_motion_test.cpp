@@ -63,6 +63,16 @@ TEST(ToolSightings, are_where_the_overlay_draws_the_tool_and_name_what_is_not_se
   EXPECT_EQ(sightings.sighting(1, Seen::poses(0, lost, uncertain), 0).unseen, Unseen::mannequin_uncertain);
 }
 
+TEST(ToolSightings, every_follower_knows_what_is_to_be_known_of_the_pictures) {
+  Seen seen(true);
+  EXPECT_EQ(seen.feed->note(), "");
+  seen.sightings.note("the exposure of this camera cannot be fixed; keep the light steady");
+  seen.show(1.0, 0.0, 1.0);
+  EXPECT_EQ(seen.feed->trouble(), "") << "it is no trouble";
+  EXPECT_THAT(seen.feed->note(), testing::HasSubstr("exposure"));
+  EXPECT_EQ(seen.sightings.follow("needle")->note(), seen.feed->note()) << "one that comes later";
+}
+
 TEST(ToolSightings, a_tool_that_is_none_of_the_bodies_is_refused_with_those_that_are) {
   Seen seen(true);
   try {

@@ -56,6 +56,8 @@ class CameraWatch::Show {
     sightings_ = std::make_shared<tracking::ToolSightings>(tracker_.bodies(), place_, true);
     tracking::announce(source, sightings_);
   }
+  // What is to be known of all pictures of this passage.
+  void note(const std::string& sentence) { sightings_->note(sentence); }
   void end(const std::string& why) {
     if (sightings_ != nullptr) sightings_->end(why);
     sightings_.reset();
@@ -177,6 +179,8 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
   const std::unique_ptr<tracking::PictureSource> source =
       show != nullptr ? tracking::open_footage_files(files_).source
                       : tracking::open_source(files_.source, {.rate = files_.rate, .locks = std::nullopt});
+  const std::string known = tracking::sentence_of(source->notes());
+  if (show != nullptr) show->note(known);
   std::optional<Clock::time_point> last;  // when the picture before was due
   double last_time = 0.0;
   std::deque<Clock::time_point> shown;
@@ -193,6 +197,7 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
     last = Clock::now();
     last_time = picture->time;
     CameraNews news;
+    news.source_note = known;
     news.arrived = *last - decoding;  // of a video or a folder: when it would have come from a camera
     if (show != nullptr) {
       std::optional<tracking::AugmentedLook> look;

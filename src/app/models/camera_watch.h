@@ -33,7 +33,8 @@ struct BodyNews {
 // What the window shows of a camera.
 struct CameraNews {
   std::string stage, error;                          // what is being opened; why nothing more comes, a sentence
-  std::string note;                                  // what a person should know, a sentence
+  std::string note;                                  // what a person should know of this picture, a sentence
+  std::string source_note;                           // the same of all pictures of this source
   std::uint64_t number = 0;                          // of the picture; 0: none yet
   std::shared_ptr<const imaging::ImageRgb> picture;  // with what is drawn over it
   double time = 0.0;                                 // s, of the picture

@@ -361,8 +361,10 @@ void CameraPage::show_line() {
       words += QStringLiteral(" ") + tr("Without ultrasound: %1").arg(in_words(scan_failure_));
     trouble = news_.tip_on_bone;
   }
-  if (watch_ != nullptr && failure_.empty() && news_.large_oval)
-    words += QStringLiteral(" ") + tr("Large oval: drawn at half the resolution.");
+  if (watch_ != nullptr && failure_.empty()) {
+    if (news_.large_oval) words += QStringLiteral(" ") + tr("Large oval: drawn at half the resolution.");
+    if (!news_.source_note.empty()) words += QStringLiteral(" ") + in_words(news_.source_note) + QLatin1Char('.');
+  }
   if (line_->text() != words) line_->setText(words);
   line_->setStyleSheet(trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
   picture_->show_words(words);

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -314,6 +315,25 @@ TEST_F(CameraPageTest, a_large_oval_is_drawn_coarser_and_the_line_says_so) {
   EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
   for (int i = 0; i < 10; ++i) page_.press(QKeySequence(Qt::Key_Minus));
   EXPECT_TRUE(wait([&] { return !says_so(); })) << line();
+}
+
+TEST_F(CameraPageTest, a_video_whose_rate_varies_is_shown_and_the_line_says_so) {
+  const tracking::Footage footage = render("still");
+  const std::filesystem::path video = folder("uneven.mkv");
+  // Each of the two pictures twice, the last one late.
+  const std::string command = "ffmpeg -v error -framerate 20 -i '" + footage.folder.string() +
+                              "/frame_%05d.png' -vf \"loop=1:2:0,setpts='if(lt(N,3),N,6)*0.05/TB'\" -vsync "
+                              "passthrough -c:v ffv1 -pix_fmt gray '" +
+                              video.string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT: a fixed command
+  find<QLineEdit>("camera.calibration")->setText(QString::fromStdString((footage.folder / "camera.json").string()));
+  start(video);
+  ASSERT_TRUE(wait([&] { return page_.news().number > 1; })) << line();
+  page_.advance(clock_ += 0.02);
+  EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
+  EXPECT_NE(line().find("uneven.mkv: the time between pictures varies from 50 to 200 ms"), std::string::npos)
+      << line();
+  find<QLineEdit>("camera.calibration")->clear();
 }
 
 TEST_F(CameraPageTest, pictures_without_a_calibration_are_shown_alone_and_that_is_said) {
