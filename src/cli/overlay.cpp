@@ -17,6 +17,7 @@
 #include "tracking/augmented_view.h"
 #include "tracking/footage_scene.h"
 #include "tracking/lens_watch.h"
+#include "tracking/marker_watch.h"
 #include "tracking/registration_file.h"
 #include "tracking/shown_target_error.h"
 #include "tracking/stage_times.h"
@@ -279,7 +280,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   tracking::LensWatch lens;
   tracking::StageTimes tracked;
   int drawn = 0;
-  tracking::GreyPicture last;
+  tracking::MarkerWatch markers(arguments.footage.source);
   std::string warning;
   const Clock::time_point start = Clock::now();
   Clock::time_point before = start;
@@ -292,7 +293,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
     target_error.add(poses[mannequin]);
     if (warning.empty()) warning = lens.warning();
     if (poses[mannequin].status == tracking::TrackingStatus::ok) ++drawn;
-    if (drawn == 0 && tracker.markers().empty()) last = frame.grey;
+    markers.add(tracker, frame.grey);
     writer.add({std::move(frame.colour), poses, frame.arrived});
     before = Clock::now();
     return true;
@@ -300,7 +301,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
   writer.finish();
   const double seconds = seconds_between(start, Clock::now());
   const int pictures = writer.pictures();
-  if (drawn == 0 && last.width > 0) console.note(tracking::why_nothing_was_found(arguments.footage.source, last));
+  if (const std::string why = markers.warning_of_all(); !why.empty()) console.note(why);
   if (!warning.empty()) console.note(warning);
   console.line(fmt::format("{}: {} pictures, the patient in {} of them", arguments.output, pictures, drawn));
   nlohmann::ordered_json json{{"output", arguments.output}, {"pictures", pictures}, {"drawn", drawn}};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracking/lens_watch.h"
+#include "tracking/marker_watch.h"
 #include "tracking/tracker.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,16 +95,15 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
   std::vector<BodySummary> summaries(opened.bodies.size());
   std::string table = "time_s,body,status,x_mm,y_mm,z_mm,qw,qx,qy,qz,tip_sd_mm,residual,markers,error_mm\n";
   const std::vector<std::string> known = opened.source->bodies();
-  std::size_t markers = 0;
+  tracking::MarkerWatch markers(arguments.footage.source);
   int pictures = 0;
   double said = -1e9;
-  tracking::GreyPicture last;
   std::string warning;
   for_each_picture(*opened.source, arguments.footage, console, "tracking", [&](const tracking::SourcePicture& frame) {
     const std::vector<tracking::TrackedPose>& poses = tracker.track(frame.grey, frame.time);
     lens.add(poses);
     if (warning.empty()) warning = lens.warning();
-    markers += tracker.markers().size();
+    markers.add(tracker, frame.grey);
     ++pictures;
     for (std::size_t b = 0; b < poses.size(); ++b) {
       const tracking::MarkerBody& body = opened.bodies[b];
@@ -116,11 +116,13 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
       said = frame.time;
       console.line(live_line(opened.bodies, poses));
       if (!warning.empty()) console.note(warning);
+      if (const std::string why = markers.warning(); !why.empty()) console.note(why);
     }
-    if (markers == 0) last = frame.grey;
     return true;
   });
-  if (markers == 0) throw InputError(tracking::why_nothing_was_found(arguments.footage.source, last));
+  const std::string why = markers.warning_of_all();
+  if (!why.empty() && !markers.any_body()) throw InputError(why);
+  if (!why.empty()) console.note(why);
   if (!warning.empty()) console.note(warning);
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   console.line(fmt::format("{} pictures of {} x {}", pictures, opened.camera.width, opened.camera.height));

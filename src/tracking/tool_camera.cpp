@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "tracking/grey_picture.h"
 #include "tracking/lens_watch.h"
+#include "tracking/marker_watch.h"
 #include "tracking/tracker.h"
 
 #include "haptics/tick_clock.h"
@@ -15,7 +15,6 @@ namespace bodkin::tracking {
 
 namespace {
 constexpr std::chrono::milliseconds nap{2};
-constexpr int pictures_before_doubt = 30;  // without a marker, until it is said why
 }  // namespace
 
 ToolCamera::ToolCamera(OpenedFootage footage, const Similarity& mannequin_from_patient, std::string name)
@@ -40,9 +39,7 @@ void ToolCamera::run(const std::stop_token& stop) {
 void ToolCamera::track(const std::stop_token& stop) {
   Tracker tracker(footage_.camera, footage_.bodies);
   LensWatch lens;
-  GreyPicture last;  // while none has shown a marker
-  int without_markers = 0;
-  bool any_marker = false;
+  MarkerWatch markers(name_);
   while (!stop.stop_requested()) {
     if (sightings_->is_waiting()) {
       std::this_thread::sleep_for(nap);
@@ -50,16 +47,14 @@ void ToolCamera::track(const std::stop_token& stop) {
     }
     const std::optional<SourcePicture> picture = footage_.source->next();
     if (!picture) {
-      if (!any_marker && last.width > 0) sightings_->warn(why_nothing_was_found(name_, last));
+      if (const std::string why = markers.warning_of_all(); !why.empty()) sightings_->warn(why);
       return;
     }
     const std::vector<TrackedPose>& poses = tracker.track(picture->grey, picture->time);
     lens.add(poses);
-    without_markers = tracker.markers().empty() ? without_markers + 1 : 0;
-    any_marker = any_marker || without_markers == 0;
-    if (!any_marker) last = picture->grey;
-    sightings_->warn(without_markers >= pictures_before_doubt ? why_nothing_was_found(name_, picture->grey)
-                                                              : lens.warning());
+    markers.add(tracker, picture->grey);
+    const std::string why = markers.warning();
+    sightings_->warn(why.empty() ? lens.warning() : why);
     sightings_->publish(poses, picture->time, haptics::monotonic_seconds());
   }
 }

@@ -8,6 +8,13 @@
 
 #ifdef BODKIN_HAS_TRACKING
 
+#include "tests/tracking/foreign_markers.h"
+#include "tracking/marker_body.h"
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "imaging/png_file.h"
+
 namespace bodkin_test {
 namespace {
 
@@ -73,6 +80,26 @@ TEST_F(Overlay, a_probe_deforms_a_patient_that_has_a_mesh) {
   EXPECT_NE(text_of("of_patient/overlay_00002.png"), text_of("of_meshed/overlay_00002.png"));
 }
 #endif
+
+TEST_F(Overlay, names_markers_that_are_on_no_body_and_misses_those_of_its_dictionary) {
+  using namespace ::bodkin;
+  using namespace ::bodkin::tracking;
+  ASSERT_EQ(bodkin("--quiet scene render others --frames 2 --width 640 --height 360").exit_code, 0);
+  std::vector<MarkerBody> bodies = station_bodies();
+  for (MarkerBody& body : bodies) {
+    for (MarkerFace& face : body.faces) face.id += face.id < 0 ? 0 : 25;
+  }
+  write_file(folder_ / "all.json", bodies_json(bodies));
+  const Outcome none = bodkin("overlay patient others --bodies all.json -o none.avi");
+  ASSERT_EQ(none.exit_code, 0) << none.text();
+  EXPECT_THAT(none.errors, HasSubstr("others: markers are seen that are on no body (0, 1, 2,"));
+  EXPECT_THAT(none.output, HasSubstr("2 pictures, the patient in 0 of them"));
+  for (int n = 0; n < 2; ++n)
+    write_file(folder_ / fmt::format("others/frame_{:05}.png", n),
+               imaging::encode_png(colour_of(foreign_markers(6, 640, 360))));
+  EXPECT_THAT(bodkin("overlay patient others -o foreign.avi").errors,
+              HasSubstr("others: no marker of the dictionary 4x4_50 is in these pictures"));
+}
 
 TEST_F(Overlay, refuses_an_unknown_preset_and_a_folder_in_use) {
   const Outcome preset = bodkin("overlay patient footage --preset x-ray");

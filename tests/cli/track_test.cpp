@@ -9,6 +9,13 @@
 
 #ifdef BODKIN_HAS_TRACKING
 
+#include "tests/tracking/foreign_markers.h"
+#include "tracking/marker_body.h"
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "imaging/png_file.h"
+
 namespace bodkin_test {
 namespace {
 
@@ -59,6 +66,36 @@ TEST_F(Track, says_what_is_missing_or_wrong) {
   const Outcome size = bodkin("track other --camera larger/camera.json");
   EXPECT_EQ(size.exit_code, 2);
   EXPECT_THAT(size.errors, HasSubstr("calibrated at 640 x 480"));
+}
+
+// As when another sheet of markers was printed, or another dictionary was chosen for it.
+TEST_F(Track, names_markers_that_are_on_no_body_and_misses_those_of_its_dictionary) {
+  using namespace ::bodkin;
+  using namespace ::bodkin::tracking;
+  ASSERT_EQ(bodkin("--quiet scene render others --frames 2 --width 640 --height 360").exit_code, 0);
+  std::vector<MarkerBody> bodies = station_bodies();
+  const auto shift = [](MarkerBody& body) {
+    for (MarkerFace& face : body.faces) face.id += face.id < 0 ? 0 : 25;
+  };
+  shift(bodies[1]);
+  write_file(folder_ / "one.json", bodies_json(bodies));
+  const Outcome one = bodkin("track others --bodies one.json");
+  EXPECT_EQ(one.exit_code, 0) << one.text();
+  EXPECT_THAT(one.errors, HasSubstr("others: markers are seen that are on no body (12"));
+  shift(bodies[0]);
+  shift(bodies[2]);
+  write_file(folder_ / "all.json", bodies_json(bodies));
+  const Outcome all = bodkin("track others --bodies all.json");
+  EXPECT_EQ(all.exit_code, 2) << all.text();
+  EXPECT_THAT(all.errors, HasSubstr("others: markers are seen that are on no body ("));
+  for (const int cells : {5, 6}) {
+    for (int n = 0; n < 2; ++n)
+      write_file(folder_ / fmt::format("others/frame_{:05}.png", n),
+                 imaging::encode_png(colour_of(foreign_markers(cells, 640, 360))));
+    const Outcome none = bodkin("track others");
+    EXPECT_EQ(none.exit_code, 2) << none.text();
+    EXPECT_THAT(none.errors, HasSubstr("others: no marker of the dictionary 4x4_50 is in these pictures"));
+  }
 }
 
 }  // namespace

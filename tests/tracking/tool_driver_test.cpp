@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "tests/tracking/foreign_markers.h"
+#include "tracking/footage.h"
 #include "tracking/footage_scene.h"
 #include "tracking/station_footage.h"
 #include "tracking/tool_sightings.h"
@@ -142,6 +144,22 @@ TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
   write_file(blank / "frame_00000.png", imaging::encode_png(colour_of(GreyPicture(800, 450))));
   EXPECT_THAT(refusal(blank.string(), ""), AllOf(HasSubstr("the needle was not seen in 1 pictures"),
                                                  HasSubstr("no marker of the dictionary 4x4_50")));
+  // Markers of another dictionary, and those of a board that no body carries.
+  const auto folder_with = [](const char* name, const GreyPicture& shown) {
+    const fs::path made = folder_ / name;
+    fs::create_directories(made);
+    for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, made / file);
+    write_file(made / "frame_00000.png", imaging::encode_png(colour_of(shown)));
+    return made.string();
+  };
+  EXPECT_THAT(refusal(folder_with("other_dictionary", foreign_markers(6, 800, 450)), ""),
+              HasSubstr("no marker of the dictionary 4x4_50"));
+  const MarkerBody board = board_body("board", 22, 4, 2, 40.0);
+  Pose before_camera = Pose::Identity();
+  before_camera.translation().z() = 500.0;
+  const CameraModel camera = read_camera(folder_ / "still" / "camera.json");
+  EXPECT_THAT(refusal(folder_with("board_alone", render_picture(camera, {}, {{&board, before_camera}}, 3)), ""),
+              HasSubstr("markers are seen that are on no body (22, 23, 24, 25, 26, 27, ...)"));
   // A picture that the camera has mirrored is named as such.
   const fs::path mirrored = folder_ / "mirrored";
   fs::create_directories(mirrored);

@@ -8208,6 +8208,10 @@
         <translation>keine Marke aus dem Verzeichnis 4x4_50 ist in diesen Bildern; drucken Sie die Marken mit „bodkin markers --pdf“ und halten Sie sie im Bild</translation>
     </message>
     <message>
+        <source>markers are seen that are on no body (%1); name the file of the bodies that carry them, or keep those of 'bodkin markers --pdf' in view</source>
+        <translation>es sind Marken zu sehen, die auf keinem Körper sind (%1); nennen Sie die Datei der Körper, die sie tragen, oder halten Sie die von „bodkin markers --pdf“ im Bild</translation>
+    </message>
+    <message>
         <source>the time between pictures varies from %1 to %2 ms; every picture keeps its own time</source>
         <translation>die Zeit zwischen Bildern schwankt von %1 bis %2 ms; jedes Bild behält seine eigene Zeit</translation>
     </message>

@@ -9,6 +9,7 @@
 
 #include "tracking/footage_scene.h"
 #include "tracking/lens_watch.h"
+#include "tracking/marker_watch.h"
 #include "tracking/registration_file.h"
 #include "tracking/tool_sightings.h"
 #include <fmt/format.h>
@@ -24,7 +25,6 @@ using Clock = std::chrono::steady_clock;
 using tracking::TrackingStatus;
 
 constexpr std::chrono::milliseconds short_nap{5};
-constexpr int pictures_before_doubt = 30;  // without a marker, until it is said why
 
 double since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -35,12 +35,13 @@ double since(Clock::time_point begin) {
 // Tracker and overlay of one camera.
 class CameraWatch::Show {
  public:
-  Show(const OpenCase& patient, const tracking::OpenedFootage& opened, const std::filesystem::path& registration,
-       const tracking::AugmentedLook& look)
+  Show(const OpenCase& patient, const std::string& source, const tracking::OpenedFootage& opened,
+       const std::filesystem::path& registration, const tracking::AugmentedLook& look)
       : place_(registration.empty() ? tracking::placed_at(patient.patient, tracking::scene_skin())
                                     : tracking::read_registration(registration).fixed_from_moving),
         tracker_(opened.camera, opened.bodies),
-        view_(patient.patient, opened.camera, place_, look) {
+        view_(patient.patient, opened.camera, place_, look),
+        markers_(source) {
     const auto& bodies = tracker_.bodies();
     const auto found =
         std::find_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.name == "mannequin"; });
@@ -64,10 +65,13 @@ class CameraWatch::Show {
   }
 
   // Draws upon the picture, and says what was seen. `taken`: s of the system's clock, when it was.
-  void draw(tracking::SourcePicture& picture, double taken, const std::string& source, CameraNews& news) {
+  void draw(tracking::SourcePicture& picture, double taken, CameraNews& news) {
     const auto& poses = tracker_.track(picture.grey, picture.time);
     lens_.add(poses);
-    sightings_->warn(lens_.warning());
+    markers_.add(tracker_, picture.grey);
+    news.note = markers_.warning();
+    if (news.note.empty()) news.note = lens_.warning();
+    sightings_->warn(news.note);
     sightings_->publish(poses, taken, haptics::monotonic_seconds());
     const tracking::TrackedPose& mannequin = poses[mannequin_];
     std::vector<tracking::ShownBody> tools;
@@ -89,9 +93,6 @@ class CameraWatch::Show {
       news.tip = view_.needle()->tissue;
       news.tip_on_bone = view_.needle()->bone;
     }
-    without_markers_ = tracker_.markers().empty() ? without_markers_ + 1 : 0;
-    news.note = lens_.warning();
-    if (without_markers_ >= pictures_before_doubt) news.note = tracking::why_nothing_was_found(source, picture.grey);
   }
 
  private:
@@ -99,10 +100,10 @@ class CameraWatch::Show {
   tracking::Tracker tracker_;
   tracking::AugmentedView view_;
   tracking::LensWatch lens_;
+  tracking::MarkerWatch markers_;
   std::shared_ptr<tracking::ToolSightings> sightings_;
   std::shared_ptr<const imaging::MovedTissue> moved_;
   std::size_t mannequin_ = 0;
-  int without_markers_ = 0;
 };
 
 CameraWatch::CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking::FootageFiles& files,
@@ -155,7 +156,7 @@ void CameraWatch::run(const std::stop_token& stop) {
       const std::lock_guard guard(lock_);
       look = *std::exchange(look_, std::nullopt);
     }
-    show.emplace(*patient_, tracking::open_footage_files(files_), registration_, look);
+    show.emplace(*patient_, files_.source, tracking::open_footage_files(files_), registration_, look);
   }
   while (play(stop, show ? &*show : nullptr)) {
   }
@@ -208,7 +209,7 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
       }
       if (look) show->set_look(*look);
       const double now = haptics::monotonic_seconds();
-      show->draw(*picture, source->live() ? picture->time : now, files_.source, news);
+      show->draw(*picture, source->live() ? picture->time : now, news);
     } else {
       news.note =
           "This camera is not calibrated: its picture is shown alone. Calibrate it with 'bodkin camera calibrate'.";

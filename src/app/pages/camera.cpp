@@ -334,6 +334,11 @@ void CameraPage::show_bodies() {
 void CameraPage::show_line() {
   QString words;
   bool trouble = false;
+  const auto with_tip = [this](const QString& other) {
+    if (news_.tip.empty()) return other;
+    return (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
+           QStringLiteral(" ") + other;
+  };
   if (demo_ != nullptr) {
     words = tr("Rendering a mannequin, a needle and a probe before a camera: %1 %")
                 .arg(100.0 * demo_->status().fraction, 0, 'f', 0);
@@ -343,20 +348,16 @@ void CameraPage::show_line() {
   } else if (watch_ == nullptr) {
     words = tr("Choose a camera (/dev/video0), a video or a folder of pictures; or let a demonstration be rendered.");
   } else if (!news_.note.empty()) {
-    words = in_words(news_.note);
+    words = with_tip(in_words(news_.note));
     trouble = true;
   } else if (!told_.empty()) {
     words = in_words(told_);
   } else if (news_.number == 0) {
     words = tr("Opening the pictures and preparing the patient.");
   } else {
-    words = tr("%1 pictures/s, each shown %2 ms after it came.")
-                .arg(news_.rate, 0, 'f', 0)
-                .arg(latencies_.empty() ? 0.0 : 1000.0 * latencies_.back(), 0, 'f', 0);
-    if (!news_.tip.empty()) {
-      words = (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
-              QStringLiteral(" ") + words;
-    }
+    words = with_tip(tr("%1 pictures/s, each shown %2 ms after it came.")
+                         .arg(news_.rate, 0, 'f', 0)
+                         .arg(latencies_.empty() ? 0.0 : 1000.0 * latencies_.back(), 0, 'f', 0));
     if (!scan_failure_.empty())
       words += QStringLiteral(" ") + tr("Without ultrasound: %1").arg(in_words(scan_failure_));
     trouble = news_.tip_on_bone;

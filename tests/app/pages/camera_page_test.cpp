@@ -21,10 +21,13 @@
 #include "patient/meshing/mesh_record.h"
 #include "session/session_file.h"
 #include "tests/fem/lattice_body.h"
+#include "tests/tracking/foreign_markers.h"
 #include "tests/views/made_up.h"
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
 
+#include "core/files.h"
+#include "imaging/png_file.h"
 #include "io/case_folder.h"
 
 namespace bodkin::app {
@@ -334,6 +337,26 @@ TEST_F(CameraPageTest, a_video_whose_rate_varies_is_shown_and_the_line_says_so) 
   EXPECT_NE(line().find("uneven.mkv: the time between pictures varies from 50 to 200 ms"), std::string::npos)
       << line();
   find<QLineEdit>("camera.calibration")->clear();
+}
+
+// As when another sheet of markers was printed than that of the bodies.
+TEST_F(CameraPageTest, markers_that_are_on_no_body_and_those_of_another_dictionary_are_named) {
+  tracking::Footage footage = render("others");
+  std::vector<tracking::MarkerBody> bodies = tracking::station_bodies();
+  for (tracking::MarkerBody& body : bodies) {
+    for (tracking::MarkerFace& face : body.faces) face.id += face.id < 0 ? 0 : 25;
+  }
+  write_file(footage.folder / "bodies.json", tracking::bodies_json(bodies));
+  start(footage.folder);
+  EXPECT_TRUE(wait([&] { return line().find("markers are seen that are on no body (") != std::string::npos; }))
+      << line();
+  page_.stop();
+  footage = render("dictionary");
+  for (const tracking::FootageFrame& frame : footage.frames)
+    write_file(footage.folder / frame.file,
+               imaging::encode_png(tracking::colour_of(tracking::foreign_markers(6, 640, 480))));
+  start(footage.folder);
+  EXPECT_TRUE(wait([&] { return line().find("no marker of the dictionary 4x4_50") != std::string::npos; })) << line();
 }
 
 TEST_F(CameraPageTest, pictures_without_a_calibration_are_shown_alone_and_that_is_said) {
