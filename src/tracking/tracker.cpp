@@ -19,8 +19,22 @@ Mat3 cross_matrix(const Vec3& v) {
   return matrix;
 }
 
-// The part of the picture that holds a body, with a third of its size around it.
-std::optional<PictureBox> box_of(const MarkerBody& body, const Pose& camera_from_body, const CameraModel& camera) {
+}  // namespace
+
+std::string_view name_of(TrackingStatus status) {
+  switch (status) {
+    case TrackingStatus::ok:
+      return "ok";
+    case TrackingStatus::uncertain:
+      return "uncertain";
+    case TrackingStatus::lost:
+      return "lost";
+  }
+  return "";
+}
+
+std::optional<PictureBox> search_box(const MarkerBody& body, const Pose& camera_from_body,
+                                     const CameraModel& camera) {
   Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const MarkerFace& face : body.faces) {
     if (face.id < 0) continue;
@@ -37,20 +51,6 @@ std::optional<PictureBox> box_of(const MarkerBody& body, const Pose& camera_from
   high = (high + around).cwiseMin(Eigen::Vector2d(camera.width, camera.height));
   return PictureBox{static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x() - low.x()),
                     static_cast<int>(high.y() - low.y())};
-}
-
-}  // namespace
-
-std::string_view name_of(TrackingStatus status) {
-  switch (status) {
-    case TrackingStatus::ok:
-      return "ok";
-    case TrackingStatus::uncertain:
-      return "uncertain";
-    case TrackingStatus::lost:
-      return "lost";
-  }
-  return "";
 }
 
 Mat3 point_covariance(const TrackedPose& pose, const Vec3& point) {
@@ -73,7 +73,7 @@ void Tracker::search(const GreyPicture& picture, double time) {
   if (all_known && searched_ && time - *searched_ < settings_.search_every && time >= *searched_) {
     std::vector<PictureBox> boxes;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const std::optional<PictureBox> box = box_of(bodies_[i], poses_[i].camera_from_body, camera());
+      const std::optional<PictureBox> box = search_box(bodies_[i], poses_[i].camera_from_body, camera());
       if (box) boxes.push_back(*box);
     }
     found_ = search_markers(picture, boxes);

@@ -39,6 +39,10 @@ struct TrackedPose {
 // Standard deviation of a point of the body, camera axes, mm^2. `point`: body frame.
 Mat3 point_covariance(const TrackedPose& pose, const Vec3& point);
 
+// The part of a picture in which the markers of a body at this pose are searched, with a margin of 12 pixels and 15 %
+// of their extent around them; nothing where a part of it is less than 10 mm before the camera.
+std::optional<PictureBox> search_box(const MarkerBody& body, const Pose& camera_from_body, const CameraModel& camera);
+
 // What may be changed in tracking.
 struct TrackerSettings {
   // What is left at the edges is no noise but a wrong tone curve, motion or a fault of the body (see RefinedPose): a
