@@ -48,28 +48,51 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+// Place (mm) and quaternion as seven columns.
+std::string place_of(const Pose& pose) {
+  const Vec3 at = pose.translation();
+  const Eigen::Quaterniond turn(pose.linear());
+  return fmt::format("{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.7f}", at.x(), at.y(), at.z(), turn.w(), turn.x(),
+                     turn.y(), turn.z());
+}
+
+// The columns of the table; the covariance by its upper triangle, row by row.
+std::string table_head() {
+  std::string head =
+      "time_s,body,status,x_mm,y_mm,z_mm,qw,qx,qy,qz,tip_sd_mm,residual,markers,error_mm,"
+      "filtered_x_mm,filtered_y_mm,filtered_z_mm,filtered_qw,filtered_qx,filtered_qy,filtered_qz";
+  constexpr const char* axes[] = {"x", "y", "z", "rx", "ry", "rz"};
+  for (int i = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) head += fmt::format(",cov_{}_{}", axes[i], axes[j]);
+  }
+  return head + "\n";
+}
+
 // Counts a pose, and gives its row of the table. `truth`: null where it is not known.
 std::string row_of(double time, const tracking::MarkerBody& body, const tracking::TrackedPose& pose,
                    const Pose* truth, BodySummary& summary) {
   std::string row = fmt::format("{:.6f},{},{},", time, body.name, name_of(pose.status));
   if (pose.status == tracking::TrackingStatus::lost) {
     ++summary.lost;
-    return row + ",,,,,,,,,0,\n";
+    return row + ",,,,,,,,,0," + std::string(7 + 21, ',') + "\n";
   }
   const bool ok = pose.status == tracking::TrackingStatus::ok;
   ++(ok ? summary.ok : summary.uncertain);
   const double deviation = std::sqrt(point_covariance(pose, body.tip).trace());
-  const Vec3 at = pose.camera_from_body.translation();
-  const Eigen::Quaterniond turn(pose.camera_from_body.linear());
-  row += fmt::format("{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.7f},{:.4f},{:.4f},{},", at.x(), at.y(), at.z(),
-                     turn.w(), turn.x(), turn.y(), turn.z(), deviation, pose.residual, pose.markers);
-  if (truth == nullptr) return row + "\n";
-  const double error = (pose.camera_from_body * body.tip - *truth * body.tip).norm();
-  if (ok) {
-    summary.errors.push_back(error);
-    summary.predicted.push_back(deviation);
+  row += fmt::format("{},{:.4f},{:.4f},{},", place_of(pose.camera_from_body), deviation, pose.residual, pose.markers);
+  if (truth != nullptr) {
+    const double error = (pose.camera_from_body * body.tip - *truth * body.tip).norm();
+    if (ok) {
+      summary.errors.push_back(error);
+      summary.predicted.push_back(deviation);
+    }
+    row += fmt::format("{:.4f}", error);
   }
-  return row + fmt::format("{:.4f}\n", error);
+  row += ',' + place_of(pose.filtered);
+  for (int i = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) row += fmt::format(",{:.6g}", pose.covariance(i, j));
+  }
+  return row + "\n";
 }
 
 // What a live camera sees, on one line.
@@ -93,7 +116,7 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
   tracking::Tracker tracker(opened.camera, opened.bodies);
   tracking::LensWatch lens;
   std::vector<BodySummary> summaries(opened.bodies.size());
-  std::string table = "time_s,body,status,x_mm,y_mm,z_mm,qw,qx,qy,qz,tip_sd_mm,residual,markers,error_mm\n";
+  std::string table = table_head();
   const std::vector<std::string> known = opened.source->bodies();
   tracking::MarkerWatch markers(arguments.footage.source);
   int pictures = 0;

@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -33,6 +38,48 @@ TEST_F(Track, finds_every_body_of_footage_close_to_the_truth) {
     EXPECT_LT(body["tip_error_rms_mm"], 1.5) << body;
   }
   EXPECT_EQ(lines_of(text_of("poses.csv")), 10);
+}
+
+// Covariance and the mean over the rest stand beside the pose as measured.
+TEST_F(Track, its_table_has_the_filtered_pose_and_the_covariance) {
+  ASSERT_EQ(bodkin("--quiet scene render resting --frames 4 --width 800 --height 450 --still").exit_code, 0);
+  ASSERT_EQ(bodkin("--quiet track resting --csv resting.csv").exit_code, 0);
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream table(text_of("resting.csv"));
+  for (std::string line; std::getline(table, line);) {
+    std::vector<std::string>& cells = rows.emplace_back();
+    std::istringstream text(line + ",|");  // the last cell may be empty
+    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+    cells.pop_back();
+  }
+  ASSERT_EQ(rows.size(), 1U + 4U * 3U);
+  const std::vector<std::string>& head = rows.front();
+  ASSERT_EQ(head.size(), 14U + 7U + 21U);
+  const auto value = [&](std::size_t row, const std::string& name) {
+    const auto column = std::find(head.begin(), head.end(), name);
+    EXPECT_NE(column, head.end()) << name;
+    return std::stod(rows[row].at(static_cast<std::size_t>(column - head.begin())));
+  };
+  bool averaged = false;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    ASSERT_EQ(rows[row].size(), head.size()) << row;
+    ASSERT_EQ(rows[row][2], "ok") << row;
+    for (const char* axis : {"x", "y", "z"}) {
+      const std::string name = axis;
+      EXPECT_NEAR(value(row, "filtered_" + name + "_mm"), value(row, name + "_mm"), 2.0);
+      averaged = averaged || value(row, "filtered_" + name + "_mm") != value(row, name + "_mm");
+      EXPECT_GT(value(row, "cov_" + name + "_" + name), 0.0);
+      EXPECT_GT(value(row, "cov_r" + name + "_r" + name), 0.0);
+    }
+    // A part of the tip's deviation is that of the body's origin.
+    const double shift = value(row, "cov_x_x") + value(row, "cov_y_y") + value(row, "cov_z_z");
+    EXPECT_LT(std::sqrt(shift), 3.0 * value(row, "tip_sd_mm") + 1.0);
+    EXPECT_LT(std::abs(value(row, "cov_x_z")), std::sqrt(value(row, "cov_x_x") * value(row, "cov_z_z")) + 1e-12);
+    const double length = std::hypot(value(row, "filtered_qw"), value(row, "filtered_qx"),
+                                     std::hypot(value(row, "filtered_qy"), value(row, "filtered_qz")));
+    EXPECT_NEAR(length, 1.0, 1e-5);
+  }
+  EXPECT_TRUE(averaged) << "at rest";
 }
 
 TEST_F(Track, follows_the_bodies_through_a_video_as_through_pictures) {
