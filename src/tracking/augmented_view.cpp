@@ -45,6 +45,18 @@ anatomy::TissueId tissue_at(const anatomy::Case& patient, const Vec3& place, con
   return anatomy::nearest(patient.tissues, moved != nullptr ? moved->at_rest(place) : place, anatomy::tissue::air);
 }
 
+// mm from the body's origin to where its sheets end in the direction of its axis, where the shaft begins.
+double end_of_hub(const MarkerBody& body) {
+  double end = 0.0;
+  for (const MarkerFace& face : body.faces) {
+    const double half = 0.5 * face.sheet;
+    for (const Vec3& corner :
+         {Vec3(-half, -half, 0.0), Vec3(half, -half, 0.0), Vec3(half, half, 0.0), Vec3(-half, half, 0.0)})
+      end = std::max(end, body.axis.dot(face.place * corner));
+  }
+  return end;
+}
+
 // The faces of a body stay as the camera saw them.
 void keep_in_front(const ShownBody& tool, const CameraModel& camera, const imaging::ImageRgb& before,
                    imaging::ImageRgb& picture) {
@@ -267,7 +279,7 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
     const Similarity patient_from_camera = camera_from_patient.inverse();
     const Vec3 tip = needle->camera_from_body * needle_body->tip;
     const Vec3 axis = needle->camera_from_body.linear() * needle_body->axis;
-    const double length = std::max(1.0, (needle_body->tip - Vec3::Zero()).norm() - 30.0);
+    const double length = std::max(1.0, needle_body->axis.dot(needle_body->tip) - end_of_hub(*needle_body));
     NeedleInPatient inside;
     inside.tip = patient_from_camera * tip;
     struct Piece {

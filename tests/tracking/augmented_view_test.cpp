@@ -204,6 +204,26 @@ TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
   EXPECT_EQ(outline(nullptr), at_rest);  // let go
 }
 
+// A cube of 30 mm lies across the picture, outside the patient: its shaft begins at its side, 15 mm from its middle.
+TEST_F(AugmentedViewTest, the_shaft_begins_where_the_needle_s_own_hub_ends) {
+  const MarkerBody small = cube_body("needle", 12, 30.0, 120.0);
+  AugmentedLook look;
+  look.front_view = look.status = look.plan = false;
+  look.radii = {10.0, 10.0};
+  AugmentedView view(patient_, camera_, Similarity(), look);
+  TrackedPose pose = mannequin_pose_;
+  pose.camera_from_body.linear() = Eigen::AngleAxisd(90.0 * degree, Vec3::UnitY()).toRotationMatrix();  // z to x
+  pose.camera_from_body.translation() = Vec3(20.0, -120.0, 500.0);
+  imaging::ImageRgb picture(camera_.width, camera_.height);
+  view.draw(picture, &mannequin_pose_, {{&small, &pose}}, nullptr);
+  const auto drawn = [&](double from_middle) {
+    const Eigen::Vector2d at = camera_.project(Vec3(20.0 + from_middle, -120.0, 500.0));
+    return picture.at(static_cast<int>(at.x() + 0.5), static_cast<int>(at.y() + 0.5)).green > 150;
+  };
+  for (const double from_middle : {18.0, 22.0, 27.0, 60.0, 100.0}) EXPECT_TRUE(drawn(from_middle)) << from_middle;
+  for (const double from_middle : {0.0, 8.0, 13.0}) EXPECT_FALSE(drawn(from_middle)) << from_middle;
+}
+
 // Issue 19: an oval of four times the pixels falls back to a coarser cast and says so, in the picture where it has
 // words, and by is_large() where it has none; also while the mannequin moves.
 TEST_F(AugmentedViewTest, an_oval_of_four_times_the_pixels_is_cast_coarser_and_says_so) {
