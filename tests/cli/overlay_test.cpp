@@ -8,7 +8,13 @@
 
 #ifdef BODKIN_HAS_TRACKING
 
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
 #include "tests/tracking/foreign_markers.h"
+#include "tests/tracking/needle_ring.h"
+#include "tracking/footage_scene.h"
 #include "tracking/marker_body.h"
 #include <fmt/format.h>
 
@@ -80,6 +86,48 @@ TEST_F(Overlay, a_probe_deforms_a_patient_that_has_a_mesh) {
   EXPECT_NE(text_of("of_patient/overlay_00002.png"), text_of("of_meshed/overlay_00002.png"));
 }
 #endif
+
+// Pictures are read and tracked while others are drawn. The needle moves by up to 15 pixels from one to the
+// next.
+TEST_F(Overlay, draws_every_picture_of_a_moving_needle_with_its_own_pose) {
+  using namespace ::bodkin;
+  using namespace ::bodkin::tracking;
+  ASSERT_EQ(bodkin("--quiet scene render moving --frames 8 --rate 1 --width 800 --height 450").exit_code, 0);
+  for (const char* const how : {"", "--no-needle"}) {
+    const std::string to = *how == '\0' ? "with" : "without";
+    const Outcome made =
+        bodkin(fmt::format("--quiet overlay patient moving --no-plan --no-front-view --no-status {} -o {}", how, to));
+    ASSERT_EQ(made.exit_code, 0) << made.text();
+  }
+  const Footage footage = open_footage(folder_ / "moving");
+  const CameraModel camera = read_camera(folder_ / "moving/camera.json");
+  const std::vector<MarkerBody> bodies = read_bodies(folder_ / "moving/bodies.json");
+  const auto needle = static_cast<std::size_t>(
+      std::find_if(bodies.begin(), bodies.end(), [](const MarkerBody& body) { return body.name == "needle"; }) -
+      bodies.begin());
+  const auto named = static_cast<std::size_t>(std::find(footage.bodies.begin(), footage.bodies.end(), "needle") -
+                                              footage.bodies.begin());
+  std::vector<Eigen::Vector2d> tips;
+  for (const FootageFrame& frame : footage.frames)
+    tips.push_back(camera.project(frame.camera_from_body[named] * bodies[needle].tip));
+  double most = 0.0;
+  int moved = 0;
+  for (std::size_t n = 0; n < tips.size(); ++n) {
+    const std::string file = fmt::format("overlay_{:05}.png", n);
+    const Eigen::Vector2d ring =
+        needle_ring(read_picture(folder_ / "with" / file), read_picture(folder_ / "without" / file), tips[n]);
+    const double own = (ring - tips[n]).norm();
+    most = std::max(most, own);
+    EXPECT_LT(own, 2.5) << n;
+    for (const std::size_t other : {n - 1, n + 1}) {
+      if (other >= tips.size() || (tips[other] - tips[n]).norm() < 6.0) continue;
+      ++moved;
+      EXPECT_LT(own, 0.5 * (ring - tips[other]).norm()) << n << " as " << other;
+    }
+  }
+  EXPECT_GT(moved, 8) << "the needle moves";
+  std::printf("rings are %.1f px from the true tips at most\n", most);
+}
 
 TEST_F(Overlay, names_markers_that_are_on_no_body_and_misses_those_of_its_dictionary) {
   using namespace ::bodkin;

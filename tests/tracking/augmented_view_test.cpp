@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
 
+#include "imaging/canvas.h"
 #include "io/tissue_library_file.h"
 
 namespace bodkin::tracking {
@@ -222,6 +227,73 @@ TEST_F(AugmentedViewTest, the_shaft_begins_where_the_needle_s_own_hub_ends) {
   };
   for (const double from_middle : {18.0, 22.0, 27.0, 60.0, 100.0}) EXPECT_TRUE(drawn(from_middle)) << from_middle;
   for (const double from_middle : {0.0, 8.0, 13.0}) EXPECT_FALSE(drawn(from_middle)) << from_middle;
+}
+
+// A lost body is not drawn and the pose that it had is not used; in words it is shown as what it is.
+TEST_F(AugmentedViewTest, a_pose_that_is_lost_or_uncertain_draws_nothing_but_its_status) {
+  imaging::ImageRgb camera_picture(camera_.width, camera_.height);
+  for (int y = 0; y < camera_picture.height; ++y)
+    for (int x = 0; x < camera_picture.width; ++x)
+      camera_picture.at(x, y) = {static_cast<std::uint8_t>(x % 200), static_cast<std::uint8_t>(y % 180), 90};
+  const std::vector<ShownBody> tools = {{&needle_, &needle_pose_}};
+  AugmentedLook look;
+  // The status of each pose as its line says it, in its colour.
+  const auto with_words = [&](const std::vector<std::pair<std::string, std::uint32_t>>& lines) {
+    imaging::ImageRgb picture = camera_picture;
+    imaging::Canvas canvas(picture.width, picture.height);
+    double line = 24.0;
+    for (const auto& [text, colour] : lines) {
+      canvas.text({14.0, line}, text, {.size = 16.0, .ink = colour, .bold = true, .halo = true});
+      line += 22.0;
+    }
+    canvas.draw_over(picture);
+    return picture;
+  };
+  constexpr std::uint32_t red = 0xFF4B3E, yellow = 0xFFC84A;
+  const auto drawn = [&](TrackingStatus mannequin, TrackingStatus needle, bool words) {
+    mannequin_pose_.status = mannequin;
+    needle_pose_.status = needle;
+    look.status = words;
+    AugmentedView view(patient_, camera_, Similarity(), look);
+    imaging::ImageRgb picture = camera_picture;
+    view.draw(picture, &mannequin_pose_, tools, nullptr);
+    EXPECT_EQ(view.needle().has_value(), mannequin == TrackingStatus::ok && needle == TrackingStatus::ok);
+    EXPECT_EQ(view.cutaway() != nullptr, mannequin == TrackingStatus::ok);
+    return picture.pixels;
+  };
+  using enum TrackingStatus;
+  for (const TrackingStatus needle : {ok, uncertain, lost}) {
+    for (const TrackingStatus mannequin : {uncertain, lost})
+      EXPECT_TRUE(drawn(mannequin, needle, false) == camera_picture.pixels) << "no patient, so no needle in him";
+  }
+  EXPECT_TRUE(drawn(lost, lost, true) == with_words({{"mannequin: lost", red}, {"needle: lost", red}}).pixels);
+  EXPECT_TRUE(drawn(uncertain, lost, true) ==
+              with_words({{"mannequin: uncertain", yellow}, {"needle: lost", red}}).pixels);
+  EXPECT_TRUE(drawn(lost, uncertain, true) ==
+              with_words({{"mannequin: lost", red}, {"needle: uncertain", yellow}}).pixels);
+  // In the patient, a needle that is not ok leaves what stands there without a needle.
+  const auto without_needle = [&] {
+    mannequin_pose_.status = ok;
+    look.status = false;
+    AugmentedView view(patient_, camera_, Similarity(), look);
+    imaging::ImageRgb picture = camera_picture;
+    view.draw(picture, &mannequin_pose_, {}, nullptr);
+    return picture.pixels;
+  }();
+  EXPECT_TRUE(drawn(ok, lost, false) == without_needle);
+  EXPECT_TRUE(drawn(ok, uncertain, false) == without_needle);
+  EXPECT_FALSE(drawn(ok, ok, false) == without_needle);
+}
+
+// A mannequin that was seen and then is lost does not stay in the picture where it was.
+TEST_F(AugmentedViewTest, the_last_pose_is_never_drawn_for_one_that_is_lost) {
+  draw(nullptr);
+  EXPECT_NE(view_.cutaway(), nullptr);
+  mannequin_pose_.status = TrackingStatus::lost;
+  const imaging::ImageRgb empty(camera_.width, camera_.height);
+  EXPECT_TRUE(draw(nullptr).pixels == empty.pixels);
+  EXPECT_EQ(view_.cutaway(), nullptr);
+  EXPECT_FALSE(view_.needle().has_value());
 }
 
 // Issue 19: an oval of four times the pixels falls back to a coarser cast and says so, in the picture where it has
