@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "tracking/calibration_words.h"
 #include "tracking/camera_calibration.h"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -50,6 +51,7 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
   options.in_motion = !std::filesystem::is_directory(arguments.footage.source, code);
   options.most_pictures = static_cast<int>(arguments.pictures);
   tracking::CameraCalibration calibration(board, options);
+  tracking::CalibrationWords words;
   std::map<tracking::PictureUse, int> uses;
   tracking::GreyPicture last;
   bool saw_corners = false;
@@ -63,6 +65,9 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
       console.line(fmt::format("picture {} of {}: {:.0f} % of the view seen{}", calibration.kept(),
                                arguments.pictures, 100.0 * calibration.coverage(),
                                advice.empty() ? "" : "; " + advice));
+    }
+    if (source->live()) {
+      if (const std::string why = words.of(use, frame.time); !why.empty()) console.line(why);
     }
     return !source->live() || calibration.kept() < arguments.pictures;
   });

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/tracking/foreign_markers.h"
+#include "tests/tracking/mirrored.h"
 #include "tests/tracking/needle_ring.h"
 #include "tracking/footage_scene.h"
 #include "tracking/marker_body.h"
@@ -127,6 +128,22 @@ TEST_F(Overlay, draws_every_picture_of_a_moving_needle_with_its_own_pose) {
   }
   EXPECT_GT(moved, 8) << "the needle moves";
   std::printf("rings are %.1f px from the true tips at most\n", most);
+}
+
+TEST_F(Overlay, names_pictures_that_are_mirrored_and_draws_nothing_into_them) {
+  using namespace ::bodkin;
+  using namespace ::bodkin::tracking;
+  ASSERT_EQ(bodkin("--quiet scene render turned --frames 2 --width 800 --height 450").exit_code, 0);
+  for (int n = 0; n < 2; ++n) {
+    const fs::path file = folder_ / fmt::format("turned/frame_{:05}.png", n);
+    write_file(file, imaging::encode_png(mirrored(read_picture(file))));
+  }
+  const Outcome made = bodkin("overlay patient turned --no-status -o unturned");
+  ASSERT_EQ(made.exit_code, 0) << made.text();
+  EXPECT_THAT(made.errors, HasSubstr("turned: the pictures are mirrored left to right; switch mirroring off"));
+  EXPECT_THAT(made.output, HasSubstr("2 pictures, the patient in 0 of them"));
+  EXPECT_EQ(read_picture(folder_ / "unturned/overlay_00001.png").pixels,
+            read_picture(folder_ / "turned/frame_00001.png").pixels);
 }
 
 TEST_F(Overlay, names_markers_that_are_on_no_body_and_misses_those_of_its_dictionary) {

@@ -15,6 +15,8 @@
 #ifdef BODKIN_HAS_TRACKING
 
 #include "tests/tracking/foreign_markers.h"
+#include "tests/tracking/mirrored.h"
+#include "tracking/footage_scene.h"
 #include "tracking/marker_body.h"
 #include <fmt/format.h>
 
@@ -113,6 +115,19 @@ TEST_F(Track, says_what_is_missing_or_wrong) {
   const Outcome size = bodkin("track other --camera larger/camera.json");
   EXPECT_EQ(size.exit_code, 2);
   EXPECT_THAT(size.errors, HasSubstr("calibrated at 640 x 480"));
+}
+
+TEST_F(Track, names_pictures_that_are_mirrored) {
+  using namespace ::bodkin;
+  using namespace ::bodkin::tracking;
+  ASSERT_EQ(bodkin("--quiet scene render turned --frames 2 --width 800 --height 450").exit_code, 0);
+  for (int n = 0; n < 2; ++n) {
+    const std::filesystem::path file = folder_ / fmt::format("turned/frame_{:05}.png", n);
+    write_file(file, imaging::encode_png(mirrored(read_picture(file))));
+  }
+  const Outcome tracked = bodkin("track turned");
+  EXPECT_EQ(tracked.exit_code, 2) << tracked.text();
+  EXPECT_THAT(tracked.errors, HasSubstr("turned: the pictures are mirrored left to right; switch mirroring off"));
 }
 
 // As when another sheet of markers was printed, or another dictionary was chosen for it.

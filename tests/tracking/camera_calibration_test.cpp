@@ -2,8 +2,11 @@
 #include "tracking/camera_calibration.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "tracking/calibration_words.h"
 #include "tracking/footage.h"
 #include "tracking/tracker.h"
 #include <gmock/gmock.h>
@@ -132,6 +135,34 @@ TEST(CalibrationBoard, fits_on_a_page) {
   CalibrationBoard large;
   large.square = 40.0;
   EXPECT_THROW(calibration_board_pdf(large), InputError);
+}
+
+// At 30 pictures a second: a reason is said when it has lasted for half a second, then every three seconds.
+TEST(CalibrationWords, say_why_a_picture_is_not_kept_but_not_thirty_times_a_second) {
+  CalibrationWords words;
+  std::vector<std::string> said;
+  int n = 0;
+  const auto show = [&](PictureUse use, double seconds) {
+    said.clear();
+    for (const int end = n + static_cast<int>(30.0 * seconds); n < end; ++n) {
+      if (std::string sentence = words.of(use, n / 30.0); !sentence.empty()) said.push_back(std::move(sentence));
+    }
+  };
+  show(PictureUse::kept, 1.0);
+  EXPECT_TRUE(said.empty());
+  show(PictureUse::moving, 0.4);
+  EXPECT_TRUE(said.empty()) << "while the board is brought to another place";
+  show(PictureUse::kept, 0.2);
+  show(PictureUse::moving, 4.0);
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0], "not kept: moving; hold the board still");
+  EXPECT_EQ(said[1], said[0]);
+  show(PictureUse::few_corners, 1.0);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said[0], testing::HasSubstr("not kept: too few corners; bring more of the board into the picture"));
+  show(PictureUse::seen_already, 1.0);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said[0], testing::HasSubstr("not kept: seen already; hold the board elsewhere"));
 }
 
 }  // namespace

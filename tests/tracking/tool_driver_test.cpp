@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tests/tracking/foreign_markers.h"
+#include "tests/tracking/mirrored.h"
 #include "tracking/footage.h"
 #include "tracking/footage_scene.h"
 #include "tracking/station_footage.h"
@@ -164,10 +165,7 @@ TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
   const fs::path mirrored = folder_ / "mirrored";
   fs::create_directories(mirrored);
   for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, mirrored / file);
-  imaging::ImageRgb picture = read_picture(folder_ / "still" / footage_.frames[0].file);
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width / 2; ++x) std::swap(picture.at(x, y), picture.at(picture.width - 1 - x, y));
-  }
+  const imaging::ImageRgb picture = tracking::mirrored(read_picture(folder_ / "still" / footage_.frames[0].file));
   write_file(mirrored / "frame_00000.png", imaging::encode_png(picture));
   EXPECT_THAT(refusal(mirrored.string(), ""), HasSubstr("mirrored left to right"));
   // Some markers are the mirror images of others: none of these may pass for a body.

@@ -22,6 +22,7 @@
 #include "session/session_file.h"
 #include "tests/fem/lattice_body.h"
 #include "tests/tracking/foreign_markers.h"
+#include "tests/tracking/mirrored.h"
 #include "tests/views/made_up.h"
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
@@ -337,6 +338,18 @@ TEST_F(CameraPageTest, a_video_whose_rate_varies_is_shown_and_the_line_says_so) 
   EXPECT_NE(line().find("uneven.mkv: the time between pictures varies from 50 to 200 ms"), std::string::npos)
       << line();
   find<QLineEdit>("camera.calibration")->clear();
+}
+
+TEST_F(CameraPageTest, pictures_that_are_mirrored_are_named_and_nothing_is_drawn_into_them) {
+  const tracking::Footage footage = render("turned");
+  const auto turned = tracking::mirrored(tracking::read_picture(footage.folder / footage.frames.front().file));
+  for (const tracking::FootageFrame& frame : footage.frames)
+    write_file(footage.folder / frame.file, imaging::encode_png(turned));
+  start(footage.folder);
+  EXPECT_TRUE(wait([&] { return line().find("mirrored left to right; switch mirroring off") != std::string::npos; }))
+      << line();
+  EXPECT_FALSE(page_.news().needle.has_value());
+  EXPECT_EQ(page_.news().picture->pixels, turned.pixels);
 }
 
 // As when another sheet of markers was printed than that of the bodies.
