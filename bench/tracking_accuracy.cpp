@@ -152,11 +152,10 @@ int main(int argc, char** argv) {
   Tracker tracker(assumed, bodies, settings);
 
   Random random(choice.seed);
-  std::vector<double> in_camera, in_mannequin, board_error, uncertain_error, noise, residuals, ratios, overlay, tone,
-      blur, focal;
+  std::vector<double> in_camera, in_mannequin, board_error, uncertain_error, residuals, ratios, overlay, tone, blur,
+      focal;
   double predicted = 0.0, squares = 0.0, track_ms = 0.0, render_ms = 0.0;
   int lost = 0, uncertain = 0, wrong = 0, wrong_uncertain = 0, within_three = 0, board_bad = 0;
-  Vec3 first_tip = Vec3::Zero();
   std::vector<Vec3> raw_tips, filtered_tips;
   Pose needle = Pose::Identity(), board = Pose::Identity();
   for (int n = 0; n < choice.pictures; ++n) {
@@ -207,11 +206,9 @@ int main(int argc, char** argv) {
                   of_needle.markers);
       continue;
     }
-    if (in_camera.empty()) first_tip = tip;
     raw_tips.push_back(tip);
     filtered_tips.emplace_back(of_needle.filtered * bodies[1].tip);
     in_camera.push_back(error);
-    noise.push_back((tip - first_tip).norm());
     residuals.push_back(of_needle.residual);
     ratios.push_back(of_needle.edge_ratio);
     const double sigma = std::sqrt(point_covariance(of_needle, bodies[1].tip).trace());
@@ -239,10 +236,9 @@ int main(int argc, char** argv) {
   print_row("60 mm behind the board, px", overlay);
   print_row("tip when uncertain, mm", uncertain_error);
   if (choice.still && !raw_tips.empty()) {
-    print_row("tip against the first picture, mm", noise);
     const double raw = spread_of(raw_tips), filtered = spread_of(filtered_tips);
-    std::printf("tip against its mean: measured %.3f mm RMS, filtered %.3f, cut by %.2f\n", raw, filtered,
-                raw / filtered);
+    std::printf("noise at rest, tip against its mean: measured %.3f mm RMS, filtered %.3f, cut by %.2f\n", raw,
+                filtered, raw / filtered);
   }
   print_row("residual", residuals);
   print_row("residual of edges over flat parts", ratios);
