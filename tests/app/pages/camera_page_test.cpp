@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,6 +24,7 @@
 #include "tests/fem/lattice_body.h"
 #include "tests/tracking/foreign_markers.h"
 #include "tests/tracking/mirrored.h"
+#include "tests/tracking/needle_ring.h"
 #include "tests/views/made_up.h"
 #include "tracking/footage_scene.h"
 #include <gtest/gtest.h>
@@ -307,6 +309,39 @@ TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
   EXPECT_LE(page_.news().number, held + 1);
   page_.press(QKeySequence(Qt::Key_Space));
   EXPECT_TRUE(wait([&] { return page_.news().number > held + 2; }));
+}
+
+TEST_F(CameraPageTest, every_picture_of_a_moving_needle_is_drawn_with_its_own_pose) {
+  tracking::SceneOptions options;
+  options.frames = 5;
+  options.rate = 1.0;
+  options.width = 640;
+  options.height = 480;
+  options.look.samples = 3;
+  const tracking::Footage footage = tracking::render_scene(folder("moving"), options);
+  const tracking::CameraModel camera = tracking::read_camera(footage.folder / "camera.json");
+  std::vector<Eigen::Vector2d> tips;
+  for (const tracking::FootageFrame& frame : footage.frames)
+    tips.push_back(camera.project(frame.camera_from_body[1] * tracking::station_bodies()[1].tip));
+  find<QSlider>("camera.oval")->setValue(0);  // as small as it can be
+  find<QCheckBox>("camera.plan")->setChecked(false);
+  start(footage.folder);
+  std::vector<bool> seen(tips.size(), false);
+  std::uint64_t number = 0;
+  EXPECT_TRUE(wait([&] {
+    const CameraNews& news = page_.news();
+    if (news.number == number || news.picture == nullptr || !news.needle) return false;
+    number = news.number;
+    const auto at = static_cast<std::size_t>(std::lround(news.time * options.rate));
+    const auto raw = tracking::read_picture(footage.folder / footage.frames[at].file);
+    const double own = (tracking::needle_ring(*news.picture, raw, tips[at]) - tips[at]).norm();
+    EXPECT_LT(own, 2.5) << at;
+    seen[at] = true;
+    return std::count(seen.begin(), seen.end(), true) == static_cast<std::ptrdiff_t>(seen.size());
+  })) << line();
+  int far = 0;
+  for (std::size_t n = 1; n < tips.size(); ++n) far += (tips[n] - tips[n - 1]).norm() > 6.0 ? 1 : 0;
+  EXPECT_GE(far, 3) << "the needle moves";
 }
 
 TEST_F(CameraPageTest, a_large_oval_is_drawn_coarser_and_the_line_says_so) {
