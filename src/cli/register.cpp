@@ -8,6 +8,7 @@
 
 #include "tracking/bead_centres.h"
 #include "tracking/registration_file.h"
+#include "tracking/registration_picture.h"
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
@@ -22,19 +23,31 @@ namespace bodkin::cli {
 namespace {
 
 struct RegisterArguments {
-  std::string fixed, moving, target, output;
+  std::string fixed, moving, target, output, picture;
   bool scale = false, match = false;
 };
+
+constexpr double picture_zoom = 1.5;  // pixels per px of the picture
 
 constexpr const char* register_footer = R"(Examples:
   bodkin register mannequin.csv patient.csv -o registration.json
   bodkin register mannequin.csv patient.csv --scale --target 0,60,20
+  bodkin register mannequin.csv patient.csv --target 0,60,20 --picture errors.svg
   bodkin register camera.csv mannequin_ct --match       beads of a case's CT, paired by their distances
 
 A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
 and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
 4 mm radius above 300 HU) in its CT. FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
 explains the numbers.)";
+
+// Refuses a file that cannot become a picture, before anything is read.
+void require_picture(const std::filesystem::path& file) {
+  if (file.empty()) return;
+  if (file.extension() != ".png" && file.extension() != ".svg") {
+    throw InputError(fmt::format("--picture is '{}'; expected a file that ends in .svg or .png", file.string()));
+  }
+  require_writable(file, "--picture");
+}
 
 tracking::NamedPoints points_of(const std::string& name, const Progress& progress) {
   std::error_code code;
@@ -48,6 +61,7 @@ tracking::NamedPoints points_of(const std::string& name, const Progress& progres
 
 void run_register(const RegisterArguments& arguments, const CommandContext& context) {
   if (!arguments.output.empty()) require_writable(arguments.output, "--output");
+  require_picture(arguments.picture);
   Vec3 target = Vec3::Zero();
   if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
   Console console(context);
@@ -119,6 +133,11 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
     registration.at_target = tracking::TargetError{target, tre};
   }
   std::string json = tracking::registration_json(registration);
+  if (!arguments.picture.empty()) {
+    const std::filesystem::path file = arguments.picture;
+    const imaging::Canvas picture = tracking::registration_picture(registration, to, from, names);
+    write_file(file, file.extension() == ".svg" ? picture.svg() : picture.png(picture_zoom));
+  }
   if (!arguments.output.empty()) write_file(arguments.output, json);
   json.pop_back();  // the console ends the line
   console.json(json);
@@ -135,6 +154,7 @@ void add_register_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--scale", arguments->scale, "Find a scale too");
   add_switch(*command, "--match", arguments->match, "Pair the points by their distances");
   add_text(*command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
+  add_text(*command, "--picture", arguments->picture, "Picture of points, residuals and target, .svg or .png");
   add_text(*command, "-o,--output", arguments->output, "File for the registration (JSON)");
   on_run(*command, [arguments, &context] { run_register(*arguments, context); });
 }

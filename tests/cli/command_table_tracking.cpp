@@ -73,7 +73,11 @@ std::vector<CommandRow> tracking_commands() {
       {"register",
        "fixed.csv moving.csv",
        "FIXED",
-       {{"--scale", Kind::toggle}, {"--match", Kind::toggle}, {"--target", Kind::point}, {"--output", Kind::text}}},
+       {{"--scale", Kind::toggle},
+        {"--match", Kind::toggle},
+        {"--target", Kind::point},
+        {"--picture", Kind::text},
+        {"--output", Kind::text}}},
       {"overlay",
        "somewhere footage",
        "CASE",
@@ -95,7 +99,8 @@ std::vector<CommandRow> tracking_commands() {
         {"--no-status", Kind::toggle},
         {"--ultrasound", Kind::toggle},
         {"--full-resolution", Kind::toggle},
-        {"--times", Kind::toggle}}}};
+        {"--times", Kind::toggle}}},
+  };
 #else
   return {};
 #endif

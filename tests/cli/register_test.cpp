@@ -32,6 +32,23 @@ TEST_F(Register, pairs_by_name_and_says_what_it_is_worth) {
   EXPECT_EQ(placed["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
 }
 
+TEST_F(Register, draws_points_residuals_and_the_target) {
+  write("pushed.csv", "name,x,y,z\na,10.4,0,5\nb,110,0.3,5\nc,10,80,5.5\nd,10,0,65\ne,70,50,25\n");
+  const std::string command = "--quiet register pushed.csv moving.csv --target 30,30,40 --picture ";
+  ASSERT_EQ(bodkin(command + "placed.svg").exit_code, 0);
+  const std::string drawing = text_of("placed.svg");
+  for (const char* words :
+       {"from the front", "from the side", "fixed point", "moving point after registration",
+        "residual, drawn 20 times as long", "target; circle: its TRE", ">a<", ">b<", ">c<", ">d<", ">e<"}) {
+    EXPECT_THAT(drawing, HasSubstr(words));
+  }
+  ASSERT_EQ(bodkin(command + "placed.png").exit_code, 0);
+  EXPECT_THAT(text_of("placed.png"), HasSubstr("PNG"));
+  const Outcome refused = bodkin(command + "placed.pdf");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("expected a file that ends in .svg or .png"));
+}
+
 TEST_F(Register, pairs_points_without_names) {
   write("bare.csv", "60,50,20\n0,0,60\n0,0,0\n100,0,0\n0,80,0\n");
   const Outcome done = bodkin("--json register fixed.csv bare.csv --match");
