@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tracking/registration.h"
+#include <fmt/format.h>
 
 #include "core/error.h"
 
@@ -42,6 +43,21 @@ Assignment nearest_pairs(const Similarity& placed, const std::vector<Vec3>& fixe
   return pairs;
 }
 
+// Refuses a set that cannot be matched, before its points are compared with others.
+void require_a_triangle(const std::vector<Vec3>& points, const char* set) {
+  if (points.size() < 3) {
+    throw InputError(
+        fmt::format("registration: there {} {} {} point{}, expected at least 3 to pair them by their distances",
+                    points.size() == 1 ? "is" : "are", points.size(), set, points.size() == 1 ? "" : "s"));
+  }
+  if (on_a_line(points)) {
+    throw InputError(
+        fmt::format("registration: the {} points lie on a line, which leaves the rotation about it open; add a point "
+                    "off that line",
+                    set));
+  }
+}
+
 // The placement of these pairs, by all of them; false where they lie on a line or are too few.
 bool place_pairs(const Assignment& pairs, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving,
                  Proposal& made, Similarity& placed) {
@@ -51,21 +67,20 @@ bool place_pairs(const Assignment& pairs, const std::vector<Vec3>& fixed, const 
     to.push_back(fixed[i]);
     from.push_back(moving[*pairs[i]]);
   }
-  if (to.size() < 3) return false;
-  try {
-    const Registration registration = register_points(to, from, false);
-    placed = registration.fixed_from_moving;
-    made = {pairs, to.size(), registration.fre_rms};
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
+  if (to.size() < 3 || on_a_line(to) || on_a_line(from)) return false;
+  const Registration registration = register_points(to, from, false);
+  placed = registration.fixed_from_moving;
+  made = {pairs, to.size(), registration.fre_rms};
+  return true;
 }
 
 }  // namespace
 
 PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, double tolerance) {
+  require_a_triangle(fixed, "fixed");
+  require_a_triangle(moving, "moving");
   std::vector<Proposal> proposals;
+  bool alike_on_a_line = false;
   const std::size_t k = fixed.size(), m = moving.size();
   for (std::size_t a = 0; a < k; ++a) {
     for (std::size_t b = a + 1; b < k; ++b) {
@@ -87,7 +102,10 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
               Proposal made;
               Similarity placed;
               // A triple, then everything near it, twice.
-              if (!place_pairs(pairs, fixed, moving, made, placed)) continue;
+              if (!place_pairs(pairs, fixed, moving, made, placed)) {
+                alike_on_a_line = true;
+                continue;
+              }
               for (int turn = 0; turn < 2; ++turn) {
                 const Assignment wider = nearest_pairs(placed, fixed, moving, 2.0 * tolerance);
                 if (!place_pairs(wider, fixed, moving, made, placed)) break;
@@ -101,6 +119,12 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
         }
       }
     }
+  }
+  if (proposals.empty() && alike_on_a_line) {
+    throw InputError(
+        "registration: the points that lie alike in both sets are on a line, which leaves the rotation about it "
+        "open; "
+        "check that a point off that line is in both sets");
   }
   if (proposals.empty()) {
     throw InputError(

@@ -15,6 +15,9 @@ namespace bodkin::tracking {
 
 namespace {
 
+constexpr double least_extent = 0.5;     // mm, of the second largest extent of points that are not on a line
+constexpr double least_flatness = 0.01;  // of it over the largest
+
 Vec3 mean_of(const std::vector<Vec3>& points) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& point : points) sum += point;
@@ -91,6 +94,11 @@ Similarity Similarity::inverse() const {
   return back;
 }
 
+bool on_a_line(const std::vector<Vec3>& points) {
+  const Vec3 extents = extents_of(points);
+  return extents[1] < least_extent || extents[1] < least_flatness * extents[2];
+}
+
 Registration register_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, bool with_scale) {
   const std::size_t least = with_scale ? 4 : 3;
   if (fixed.size() != moving.size()) {
@@ -105,7 +113,7 @@ Registration register_points(const std::vector<Vec3>& fixed, const std::vector<V
   made.scaled = with_scale;
   const Vec3 extents = extents_of(moving).cwiseMin(extents_of(fixed));
   made.flatness = extents[2] > 0.0 ? extents[1] / extents[2] : 0.0;
-  if (extents[1] < 0.5 || made.flatness < 0.01) {
+  if (extents[1] < least_extent || made.flatness < least_flatness) {
     throw InputError(
         "registration: the points lie on a line, which leaves the rotation about it open; add a point off that line");
   }

@@ -42,6 +42,10 @@ struct Registration {
   std::optional<TargetError> at_target;  // where somebody asked for it
 };
 
+// Whether points are so nearly on a line that the rotation about it stays open: the second largest of their extents
+// along the principal axes is below 0.5 mm, or below 1 % of the largest.
+bool on_a_line(const std::vector<Vec3>& points);
+
 // The least-squares placement of `moving` on `fixed`, closed form (Umeyama 1991; rigid: Arun, Huang and Blostein
 // 1987). Throws InputError when there are fewer than three pairs (four with scale), when the sets differ in number,
 // or when the points lie on a line.
@@ -83,7 +87,7 @@ struct PointMatch {
 
 // Pairs points that carry no names: triples of equal distances (within `tolerance`, mm) propose a placement, the
 // placement that brings most points together wins. Some points of either set may have no partner. Throws InputError
-// when no three points fit.
+// when a set has fewer than three points or lies on a line, and when no three points fit, or only some on a line.
 PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, double tolerance = 3.0);
 
 // The pair whose exchange lessens the FRE to less than a third, if there is one: probably their names were swapped.

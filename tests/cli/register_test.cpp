@@ -67,6 +67,27 @@ TEST_F(Register, refuses_what_leaves_the_place_open) {
   EXPECT_THAT(bodkin("register two.csv two.csv").errors, HasSubstr("at least 3"));
 }
 
+TEST_F(Register, points_to_be_matched_are_counted_first) {
+  write("couple.csv", "0,0,0\n50,0,0\n");
+  const Outcome few = bodkin("register couple.csv fixed.csv --match");
+  EXPECT_EQ(few.exit_code, 2);
+  EXPECT_THAT(few.errors, HasSubstr("there are 2 fixed points, expected at least 3"));
+  EXPECT_THAT(bodkin("register fixed.csv couple.csv --match").errors, HasSubstr("there are 2 moving points"));
+}
+
+TEST_F(Register, points_to_be_matched_must_not_lie_on_a_line) {
+  write("straight.csv", "0,0,0\n10,0,0\n25,0,0\n60,0.1,0\n");
+  const Outcome straight = bodkin("register fixed.csv straight.csv --match");
+  EXPECT_EQ(straight.exit_code, 2);
+  EXPECT_THAT(straight.errors, HasSubstr("the moving points lie on a line"));
+  // A point off the line in each set, but not the same.
+  write("off_left.csv", "0,0,0\n10,0,0\n25,0,0\n60,0,0\n20,90,0\n");
+  write("off_right.csv", "0,0,0\n10,0,0\n25,0,0\n60,0,0\n20,0,40\n");
+  const Outcome apart = bodkin("register off_left.csv off_right.csv --match");
+  EXPECT_EQ(apart.exit_code, 2);
+  EXPECT_THAT(apart.errors, HasSubstr("lie alike in both sets are on a line"));
+}
+
 TEST_F(Register, exchanged_names_are_said) {
   write("exchanged.csv", "e,60,50,20\nc,0,0,60\na,0,0,0\nb,100,0,0\nd,0,80,0\n");
   const Outcome done = bodkin("register fixed.csv exchanged.csv");
