@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tracking/bead_centres.h"
+#include "tracking/point_pairs.h"
 #include "tracking/registration_file.h"
 #include "tracking/registration_picture.h"
 #include <fmt/format.h>
@@ -37,7 +37,8 @@ constexpr const char* register_footer = R"(Examples:
 
 A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
 and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
-4 mm radius above 300 HU) in its CT. FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
+4 mm radius above 300 HU) in its CT. A CT needs --match.
+FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
 explains the numbers.)";
 
 // Refuses a file that cannot become a picture, before anything is read.
@@ -49,9 +50,13 @@ void require_picture(const std::filesystem::path& file) {
   require_writable(file, "--picture");
 }
 
-tracking::NamedPoints points_of(const std::string& name, const Progress& progress) {
+bool is_folder(const std::string& name) {
   std::error_code code;
-  if (!std::filesystem::is_directory(name, code)) return tracking::read_points(name);
+  return std::filesystem::is_directory(name, code);
+}
+
+tracking::NamedPoints points_of(const std::string& name, const Progress& progress) {
+  if (!is_folder(name)) return tracking::read_points(name);
   tracking::NamedPoints points;
   for (const tracking::Bead& bead : tracking::find_beads(io::load_case(name, progress).ct))
     points.points.push_back(bead.centre);
@@ -59,46 +64,48 @@ tracking::NamedPoints points_of(const std::string& name, const Progress& progres
   return points;
 }
 
+// The beads of a CT are found in no order that other points could share.
+void require_match_for_folders(const RegisterArguments& arguments) {
+  if (arguments.match) return;
+  for (const std::string& name : {arguments.fixed, arguments.moving}) {
+    if (!is_folder(name)) continue;
+    throw InputError(fmt::format(
+        "{}: the beads of a CT have neither names nor an order; give --match to pair them by their distances", name));
+  }
+}
+
+void note_lonely_points(Console& console, const std::vector<std::string>& alone, const std::string& in,
+                        const std::string& other) {
+  constexpr std::size_t most_names = 8;
+  if (alone.empty()) return;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(alone.size(), most_names); ++i)
+    names += fmt::format("{}'{}'", i == 0 ? "" : ", ", alone[i]);
+  if (alone.size() > most_names) names += fmt::format(" and {} more", alone.size() - most_names);
+  console.note(fmt::format("{}: no point of {} belongs to {}; left out", in, other, names));
+}
+
 void run_register(const RegisterArguments& arguments, const CommandContext& context) {
   if (!arguments.output.empty()) require_writable(arguments.output, "--output");
   require_picture(arguments.picture);
   Vec3 target = Vec3::Zero();
   if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
+  require_match_for_folders(arguments);
   Console console(context);
   const Progress progress = console.progress();
   const tracking::NamedPoints fixed = points_of(arguments.fixed, progress),
                               moving = points_of(arguments.moving, progress);
   console.clear_bar();
-  std::vector<Vec3> to, from, to_deviations, from_deviations;
-  std::vector<std::string> names;
-  const auto pair = [&](std::size_t in_fixed, std::size_t in_moving, std::string name) {
-    to.push_back(fixed.points[in_fixed]);
-    from.push_back(moving.points[in_moving]);
-    to_deviations.push_back(fixed.deviations.empty() ? Vec3(Vec3::Zero()) : fixed.deviations[in_fixed]);
-    from_deviations.push_back(moving.deviations.empty() ? Vec3(Vec3::Zero()) : moving.deviations[in_moving]);
-    names.push_back(std::move(name));
-  };
-  if (arguments.match) {
-    const tracking::PointMatch match = tracking::match_points(fixed.points, moving.points);
-    for (std::size_t i = 0; i < fixed.points.size(); ++i) {
-      const std::optional<std::size_t>& partner = match.moving_of_fixed[i];
-      if (partner) pair(i, *partner, fmt::format("{} - {}", i + 1, *partner + 1));
-    }
-    if (match.ambiguous) {
-      throw InputError(
-          "the points can be paired in more than one way that fits; move one of them so that their "
-          "distances differ, or give them names");
-    }
-  } else if (!fixed.names.empty() && !moving.names.empty()) {
-    for (std::size_t i = 0; i < fixed.names.size(); ++i) {
-      const auto partner = std::find(moving.names.begin(), moving.names.end(), fixed.names[i]);
-      if (partner == moving.names.end()) continue;
-      pair(i, static_cast<std::size_t>(partner - moving.names.begin()), fixed.names[i]);
-    }
-  } else if (fixed.points.size() != moving.points.size()) {
-    tracking::register_points(fixed.points, moving.points, arguments.scale);  // refuses them
-  } else {
-    for (std::size_t i = 0; i < fixed.points.size(); ++i) pair(i, i, std::to_string(i + 1));
+  const tracking::PointPairs pairs = tracking::pair_points(
+      fixed, moving, arguments.match ? tracking::PairedBy::distance : tracking::PairedBy::name_or_order);
+  const std::vector<std::string>& names = pairs.names;
+  const std::vector<Vec3>&to = pairs.fixed, &from = pairs.moving;
+  note_lonely_points(console, pairs.fixed_alone, arguments.fixed, arguments.moving);
+  note_lonely_points(console, pairs.moving_alone, arguments.moving, arguments.fixed);
+  if (!arguments.match && fixed.names.empty() != moving.names.empty()) {
+    console.note(fmt::format("{} has no names: its points are taken in the order of those of {}",
+                             fixed.names.empty() ? arguments.fixed : arguments.moving,
+                             fixed.names.empty() ? arguments.moving : arguments.fixed));
   }
   tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -119,15 +126,10 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
         *scale));
   }
   if (!arguments.target.empty()) {
-    const bool unequal = !fixed.deviations.empty() || !moving.deviations.empty();
-    std::vector<Mat3> covariances;
-    const tracking::Similarity& place = registration.fixed_from_moving;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      const Mat3 of_moving = from_deviations[i].cwiseAbs2().asDiagonal(), turn = place.scale * place.turn;
-      covariances.push_back(Mat3(to_deviations[i].cwiseAbs2().asDiagonal()) + turn * of_moving * turn.transpose());
-    }
-    const tracking::ErrorInterval tre = unequal ? tracking::tre_interval(registration, from, covariances, target)
-                                                : tracking::tre_interval(registration, from, target);
+    const tracking::ErrorInterval tre =
+        pairs.unequal ? tracking::tre_interval(registration, from,
+                                               covariances_of(pairs, registration.fixed_from_moving), target)
+                      : tracking::tre_interval(registration, from, target);
     console.line(fmt::format("TRE at the target: {:.2f} mm, between {:.2f} and {:.2f} mm in 9 of 10 registrations",
                              tre.estimate, tre.low, tre.high));
     registration.at_target = tracking::TargetError{target, tre};

@@ -1,5 +1,6 @@
 #include "tracking/registration_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -53,6 +54,10 @@ NamedPoints read_points(const std::filesystem::path& file) {
           fmt::format("{}, line {}: expected name,x,y,z or x,y,z in mm, with or without three standard deviations "
                       "above 0, found '{}'",
                       file.string(), number, line));
+    }
+    if (named && std::find(read.names.begin(), read.names.end(), cells[0]) != read.names.end()) {
+      throw InputError(fmt::format("{}, line {}: there is a point called '{}' already; give each a name of its own",
+                                   file.string(), number, cells[0]));
     }
     if (named) read.names.push_back(cells[0]);
     if (deviates) read.deviations.push_back(deviation);

@@ -16,7 +16,7 @@ struct NamedPoints {
 };
 
 // A CSV file with a point on each line: "name,x,y,z" or "x,y,z", or either followed by three standard deviations. A
-// first line of column names is allowed. Throws InputError that names file and line.
+// first line of column names is allowed. Throws InputError that names file and line, also where two have one name.
 NamedPoints read_points(const std::filesystem::path& file);
 
 // A registration as a JSON file, with what it is worth.

@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@ namespace bodkin_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class Register : public BodkinCommand {
  protected:
@@ -86,6 +89,52 @@ TEST_F(Register, points_to_be_matched_must_not_lie_on_a_line) {
   const Outcome apart = bodkin("register off_left.csv off_right.csv --match");
   EXPECT_EQ(apart.exit_code, 2);
   EXPECT_THAT(apart.errors, HasSubstr("lie alike in both sets are on a line"));
+}
+
+// Beads are found from the largest to the smallest, which is no order to pair them by.
+TEST_F(Register, beads_of_a_ct_are_never_paired_by_their_order) {
+  std::filesystem::create_directory(folder_ / "scanned");
+  for (const char* points : {"fixed.csv scanned", "scanned fixed.csv"}) {
+    const Outcome refused = bodkin("register " + std::string(points));
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors,
+                HasSubstr("scanned: the beads of a CT have neither names nor an order; give --match"));
+  }
+  // With --match the folder itself is looked at.
+  EXPECT_THAT(bodkin("register fixed.csv scanned --match").errors, Not(HasSubstr("--match")));
+}
+
+TEST_F(Register, points_without_a_partner_are_said) {
+  write("others.csv", "a,0,0,0\nb,100,0,0\nc,0,80,0\nd,0,0,60\nmole,60,50,20\n");
+  const Outcome done = bodkin("--json register fixed.csv others.csv");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_EQ(nlohmann::json::parse(done.output)["residuals_mm"].size(), 4U);
+  EXPECT_THAT(done.errors, HasSubstr("fixed.csv: no point of others.csv belongs to 'e'; left out"));
+  EXPECT_THAT(done.errors, HasSubstr("others.csv: no point of fixed.csv belongs to 'mole'; left out"));
+  write("bare_more.csv", "60,50,20\n0,0,60\n0,0,0\n100,0,0\n0,80,0\n-31,7,93\n");
+  const Outcome matched = bodkin("register fixed.csv bare_more.csv --match");
+  EXPECT_EQ(matched.exit_code, 0) << matched.text();
+  EXPECT_THAT(matched.errors, HasSubstr("bare_more.csv: no point of fixed.csv belongs to '6'; left out"));
+  EXPECT_THAT(matched.output, HasSubstr("a - 3"));
+}
+
+TEST_F(Register, what_is_paired_by_order_is_said_and_needs_as_many_of_both) {
+  write("in_order.csv", "0,0,0\n100,0,0\n0,80,0\n0,0,60\n60,50,20\n");
+  const Outcome done = bodkin("register fixed.csv in_order.csv");
+  EXPECT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_THAT(done.errors,
+              HasSubstr("in_order.csv has no names: its points are taken in the order of those of fixed.csv"));
+  write("fewer.csv", "0,0,0\n100,0,0\n0,80,0\n");
+  const Outcome fewer = bodkin("register fixed.csv fewer.csv");
+  EXPECT_EQ(fewer.exit_code, 2);
+  EXPECT_THAT(fewer.errors, HasSubstr("5 fixed and 3 moving points"));
+}
+
+TEST_F(Register, a_name_that_stands_twice_is_refused) {
+  write("twice.csv", "a,0,0,0\nb,100,0,0\na,0,80,0\nd,0,0,60\n");
+  const Outcome twice = bodkin("register fixed.csv twice.csv");
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.errors, HasSubstr("twice.csv, line 3: there is a point called 'a' already"));
 }
 
 TEST_F(Register, exchanged_names_are_said) {
