@@ -235,8 +235,8 @@ void print_target_error(Console& console, const tracking::ShownTargetError& erro
   if (!pixels) return;
   const tracking::ErrorInterval& mm = *error.in_mm();
   console.line(
-      fmt::format("TRE at the target: {:.2f} mm, {:.2f} px across the view; in 9 of 10 registrations between "
-                  "{:.2f} and {:.2f} mm, {:.2f} and {:.2f} px",
+      fmt::format("TRE at the target: {:.2f} mm RMS, {:.2f} px across the view; its RMS lies between {:.2f} and "
+                  "{:.2f} mm, {:.2f} and {:.2f} px, in 9 of 10 registrations",
                   mm.estimate, pixels->estimate, mm.low, mm.high, pixels->low, pixels->high));
   json["tre_mm"] = {{"low", mm.low}, {"estimate", mm.estimate}, {"high", mm.high}};
   json["tre_px"] = {{"low", pixels->low}, {"estimate", pixels->estimate}, {"high", pixels->high}};

@@ -130,8 +130,9 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
         pairs.unequal ? tracking::tre_interval(registration, from,
                                                covariances_of(pairs, registration.fixed_from_moving), target)
                       : tracking::tre_interval(registration, from, target);
-    console.line(fmt::format("TRE at the target: {:.2f} mm, between {:.2f} and {:.2f} mm in 9 of 10 registrations",
-                             tre.estimate, tre.low, tre.high));
+    console.line(fmt::format(
+        "TRE at the target: {:.2f} mm RMS; its RMS lies between {:.2f} and {:.2f} mm in 9 of 10 registrations",
+        tre.estimate, tre.low, tre.high));
     registration.at_target = tracking::TargetError{target, tre};
   }
   std::string json = tracking::registration_json(registration);

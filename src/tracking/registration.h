@@ -18,7 +18,8 @@ struct Similarity {
   Similarity inverse() const;
 };
 
-// An estimate with the interval that holds the truth in 90 % of registrations, mm.
+// The RMS length of an error over many registrations like this one, mm: estimated from this one, with the interval
+// that holds the true RMS in 90 % of registrations. The error of a single registration may well lie outside it.
 struct ErrorInterval {
   double low = 0.0, estimate = 0.0, high = 0.0;
 };

@@ -12,6 +12,7 @@ namespace bodkin_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 
 class Register : public BodkinCommand {
@@ -33,6 +34,12 @@ TEST_F(Register, pairs_by_name_and_says_what_it_is_worth) {
   EXPECT_NEAR(placed["fixed_from_moving"][3], 10.0, 1e-6);
   EXPECT_EQ(placed["tre_mm"], json["tre_mm"]);
   EXPECT_EQ(placed["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
+}
+
+TEST_F(Register, says_what_the_interval_of_the_error_holds) {
+  const Outcome done = bodkin("register fixed.csv moving.csv --target 30,30,40");
+  EXPECT_THAT(done.output, MatchesRegex("(.|\n)*TRE at the target: [0-9.]+ mm RMS; its RMS lies between [0-9.]+ and "
+                                        "[0-9.]+ mm in 9 of 10 registrations\n"));
 }
 
 TEST_F(Register, draws_points_residuals_and_the_target) {
