@@ -95,6 +95,11 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
                   std::abs((moving[l] - moving[i]).norm() - ca) > tolerance) {
                 continue;
               }
+              // A placement that already holds this triple would be found again.
+              const bool held = std::any_of(proposals.begin(), proposals.end(), [&](const Proposal& other) {
+                return other.pairs[a] == i && other.pairs[b] == j && other.pairs[c] == l;
+              });
+              if (held) continue;
               Assignment pairs(k);
               pairs[a] = i;
               pairs[b] = j;
