@@ -116,9 +116,11 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
   }
   console.line(fmt::format("FRE RMS {:.3f} mm, mean {:.3f} mm; scale {:.5f}", registration.fre_rms,
                            registration.fre_mean, registration.fixed_from_moving.scale));
-  if (const auto swapped = tracking::swapped_pair(to, from, arguments.scale)) {
-    console.note(fmt::format("points {} and {} fit far better when they are exchanged; check their names",
-                             names[swapped->first], names[swapped->second]));
+  if (const auto swapped = tracking::swapped_pairs(to, from, arguments.scale); !swapped.empty()) {
+    std::string points;
+    for (const auto& [one, other] : swapped)
+      points += fmt::format("{}{} and {}", points.empty() ? "" : ", or ", names[one], names[other]);
+    console.note(fmt::format("points {} fit far better when they are exchanged; check their names", points));
   } else if (const auto scale = arguments.scale ? std::nullopt : tracking::hidden_scale(to, from)) {
     console.note(fmt::format(
         "the points fit far better with a scale of {:.4f}: a print is not to scale, or the two are not of one size; "

@@ -228,23 +228,29 @@ std::optional<double> hidden_scale(const std::vector<Vec3>& fixed, const std::ve
   return scaled.scale;
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,
-                                                                const std::vector<Vec3>& moving, bool with_scale) {
+std::vector<std::pair<std::size_t, std::size_t>> swapped_pairs(const std::vector<Vec3>& fixed,
+                                                               const std::vector<Vec3>& moving, bool with_scale) {
+  constexpr double least_gain = 3.0;  // of the FRE, and how much more than the best fit an exchange as good leaves
+  struct Exchange {
+    std::pair<std::size_t, std::size_t> points;
+    double fre;
+  };
   const double before = fre_of(closed_form(fixed, moving, with_scale), fixed, moving);
-  std::optional<std::pair<std::size_t, std::size_t>> found;
-  double least = before / 3.0;
+  std::vector<Exchange> better;
   std::vector<Vec3> exchanged = moving;
   for (std::size_t a = 0; a < moving.size(); ++a) {
     for (std::size_t b = a + 1; b < moving.size(); ++b) {
       std::swap(exchanged[a], exchanged[b]);
       const double after = fre_of(closed_form(fixed, exchanged, with_scale), fixed, exchanged);
       std::swap(exchanged[a], exchanged[b]);
-      if (after < least) {
-        least = after;
-        found = {a, b};
-      }
+      if (after < before / least_gain) better.push_back({{a, b}, after});
     }
   }
+  std::stable_sort(better.begin(), better.end(),
+                   [](const Exchange& one, const Exchange& other) { return one.fre < other.fre; });
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (const Exchange& one : better)
+    if (one.fre <= least_gain * better.front().fre + 1e-9) found.push_back(one.points);
   return found;
 }
 

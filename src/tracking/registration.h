@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/geometry.h"
@@ -91,8 +92,10 @@ struct PointMatch {
 // when a set has fewer than three points or lies on a line, and when no three points fit, or only some on a line.
 PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving, double tolerance = 3.0);
 
-// The pair whose exchange lessens the FRE to less than a third, if there is one: probably their names were swapped.
-std::optional<std::pair<std::size_t, std::size_t>> swapped_pair(const std::vector<Vec3>& fixed,
-                                                                const std::vector<Vec3>& moving, bool with_scale);
+// Pairs whose exchange lessens the FRE to less than a third, so that probably the names of one of them were swapped:
+// the one that fits best, and those that fit as well within a factor of 3, as the other two points of a rectangle do.
+// Empty where there is none.
+std::vector<std::pair<std::size_t, std::size_t>> swapped_pairs(const std::vector<Vec3>& fixed,
+                                                               const std::vector<Vec3>& moving, bool with_scale);
 
 }  // namespace bodkin::tracking

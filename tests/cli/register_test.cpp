@@ -11,6 +11,7 @@
 namespace bodkin_test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -148,7 +149,18 @@ TEST_F(Register, exchanged_names_are_said) {
   write("exchanged.csv", "e,60,50,20\nc,0,0,60\na,0,0,0\nb,100,0,0\nd,0,80,0\n");
   const Outcome done = bodkin("register fixed.csv exchanged.csv");
   EXPECT_EQ(done.exit_code, 0);
-  EXPECT_THAT(done.errors, HasSubstr("exchanged"));
+  EXPECT_THAT(done.errors, HasSubstr("points c and d fit far better when they are exchanged"));
+  // The same where no point is located exactly.
+  write("noisy.csv", "e,60.4,49.7,20.2\nc,0.3,-0.4,60.1\na,-0.2,0.5,0.3\nb,99.6,0.2,-0.4\nd,0.1,80.3,0.5\n");
+  EXPECT_THAT(bodkin("register fixed.csv noisy.csv").errors, HasSubstr("points c and d fit far better"));
+}
+
+// Which two of a rectangle were exchanged cannot be told: the other two fit as well.
+TEST_F(Register, every_exchange_that_fits_is_named) {
+  write("rectangle.csv", "k,0,0,0\nl,120,0,0\nm,120,70,0\nn,0,70,0\n");
+  write("mistaken.csv", "l,0,0,0\nk,120,0,0\nm,120,70,0\nn,0,70,0\n");
+  EXPECT_THAT(bodkin("register rectangle.csv mistaken.csv").errors,
+              AllOf(HasSubstr("k and l"), HasSubstr(", or "), HasSubstr("m and n")));
 }
 
 TEST_F(Register, a_scale_that_would_fit_is_said) {
