@@ -7,6 +7,7 @@
 
 #include "tracking/bead_centres.h"
 #include "tracking/point_pairs.h"
+#include "tracking/registration_chain.h"
 #include "tracking/registration_file.h"
 #include "tracking/registration_picture.h"
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ namespace bodkin::cli {
 namespace {
 
 struct RegisterArguments {
-  std::string fixed, moving, target, output, picture;
+  std::string fixed, moving, target, output, picture, then;
   bool scale = false, match = false;
 };
 
@@ -34,6 +35,9 @@ constexpr const char* register_footer = R"(Examples:
   bodkin register mannequin.csv patient.csv --scale --target 0,60,20
   bodkin register mannequin.csv patient.csv --target 0,60,20 --picture errors.svg
   bodkin register camera.csv mannequin_ct --match       beads of a case's CT, paired by their distances
+  bodkin register board.csv mannequin_ct --match -o board.json
+  bodkin register mannequin.csv patient.csv --target 0,60,20 --then board.json -o registration.json
+                                                        patient to mannequin to board
 
 A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
 and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
@@ -48,6 +52,34 @@ void require_picture(const std::filesystem::path& file) {
     throw InputError(fmt::format("--picture is '{}'; expected a file that ends in .svg or .png", file.string()));
   }
   require_writable(file, "--picture");
+}
+
+std::string picture_of(const std::filesystem::path& file, const tracking::Registration& registration,
+                       const tracking::PointPairs& pairs) {
+  if (file.empty()) return {};
+  const imaging::Canvas picture =
+      tracking::registration_picture(registration, pairs.fixed, pairs.moving, pairs.names);
+  return file.extension() == ".svg" ? picture.svg() : picture.png(picture_zoom);
+}
+
+// What comes of a registration that another one follows.
+void print_chain(Console& console, const RegisterArguments& arguments, const tracking::Registration& whole,
+                 const tracking::Registration& then) {
+  if (!then.errors) {
+    console.note(
+        fmt::format("{} does not tell its errors, so that none can be predicted through it; make it anew with "
+                    "'bodkin register -o'",
+                    arguments.then));
+  }
+  std::string line = fmt::format("through {}: scale {:.5f}", arguments.then, whole.fixed_from_moving.scale);
+  if (whole.at_target) {
+    const tracking::ErrorInterval& tre = whole.at_target->tre;
+    line += fmt::format(
+        "; TRE at the target {:.2f} mm RMS; its RMS lies between {:.2f} and {:.2f} mm in 9 of 10 "
+        "registrations",
+        tre.estimate, tre.low, tre.high);
+  }
+  console.line(line);
 }
 
 bool is_folder(const std::string& name) {
@@ -86,11 +118,13 @@ void note_lonely_points(Console& console, const std::vector<std::string>& alone,
 }
 
 void run_register(const RegisterArguments& arguments, const CommandContext& context) {
-  if (!arguments.output.empty()) require_writable(arguments.output, "--output");
+  if (!arguments.output.empty()) require_writable(arguments.output, "--output", arguments.then);
   require_picture(arguments.picture);
   Vec3 target = Vec3::Zero();
   if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
   require_match_for_folders(arguments);
+  std::optional<tracking::Registration> then;
+  if (!arguments.then.empty()) then = tracking::read_registration(arguments.then);
   Console console(context);
   const Progress progress = console.progress();
   const tracking::NamedPoints fixed = points_of(arguments.fixed, progress),
@@ -137,12 +171,17 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
         tre.estimate, tre.low, tre.high));
     registration.at_target = tracking::TargetError{target, tre};
   }
-  std::string json = tracking::registration_json(registration);
-  if (!arguments.picture.empty()) {
-    const std::filesystem::path file = arguments.picture;
-    const imaging::Canvas picture = tracking::registration_picture(registration, to, from, names);
-    write_file(file, file.extension() == ".svg" ? picture.svg() : picture.png(picture_zoom));
+  const std::string picture = picture_of(arguments.picture, registration, pairs);
+  registration.errors =
+      tracking::placement_errors(registration, from,
+                                 pairs.unequal ? covariances_of(pairs, registration.fixed_from_moving)
+                                               : std::vector<Mat3>(from.size(), Mat3::Identity()));
+  if (then) {
+    registration = tracking::followed_by(registration, *then);
+    print_chain(console, arguments, registration, *then);
   }
+  std::string json = tracking::registration_json(registration);
+  if (!picture.empty()) write_file(arguments.picture, picture);
   if (!arguments.output.empty()) write_file(arguments.output, json);
   json.pop_back();  // the console ends the line
   console.json(json);
@@ -159,6 +198,8 @@ void add_register_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--scale", arguments->scale, "Find a scale too");
   add_switch(*command, "--match", arguments->match, "Pair the points by their distances");
   add_text(*command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
+  add_text(*command, "--then", arguments->then,
+           "A registration that follows, of FIXED's frame to another: the file then leads there");
   add_text(*command, "--picture", arguments->picture, "Picture of points, residuals and target, .svg or .png");
   add_text(*command, "-o,--output", arguments->output, "File for the registration (JSON)");
   on_run(*command, [arguments, &context] { run_register(*arguments, context); });

@@ -57,19 +57,21 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& matrix) {
   return matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
 }
 
-Mat3 skew(const Vec3& v) {
-  Mat3 matrix;
-  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return matrix;
-}
-
-// How a displacement of a point is made of shift, small rotation and growth about the middle.
-Eigen::Matrix<double, 3, 7> displacement(const Vec3& from_middle) {
-  Eigen::Matrix<double, 3, 7> slope;
-  slope.leftCols<3>().setIdentity();
-  slope.block<3, 3>(0, 3) = -skew(from_middle);
-  slope.col(6) = from_middle;
-  return slope;
+// The errors of the placement, were the covariances of the pairs right as they are.
+PlacementErrors told_errors(const Registration& registration, const std::vector<Vec3>& moving,
+                            const std::vector<Mat3>& covariances) {
+  const int unknowns = registration.scaled ? 7 : 6;
+  PlacementErrors errors;
+  errors.middle = registration.fixed_from_moving * mean_of(moving);
+  Matrix7 normal = Matrix7::Zero(), spread = Matrix7::Zero();
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    const auto slope = displacement(registration.fixed_from_moving * moving[i] - errors.middle);
+    normal += slope.transpose() * slope;
+    spread += slope.transpose() * covariances[i] * slope;
+  }
+  const Eigen::MatrixXd inverse = symmetric_inverse(normal.topLeftCorner(unknowns, unknowns));
+  errors.covariance.topLeftCorner(unknowns, unknowns) = inverse * spread.topLeftCorner(unknowns, unknowns) * inverse;
+  return errors;
 }
 
 // Quantile of chi-squared by Wilson and Hilferty (1931); `normal`: that of the normal distribution.
@@ -172,45 +174,44 @@ ErrorInterval tre_interval(const Registration& registration, const std::vector<V
           tre_of(chi_squared_quantile(freedom, -1.6449))};
 }
 
-Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>& moving,
-                       const std::vector<Mat3>& covariances, const Vec3& target) {
-  using Matrix7 = Eigen::Matrix<double, 7, 7>;
-  const int unknowns = registration.scaled ? 7 : 6;
-  const Vec3 middle = registration.fixed_from_moving * mean_of(moving);
-  Matrix7 normal = Matrix7::Zero(), spread = Matrix7::Zero();
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    const auto slope = displacement(registration.fixed_from_moving * moving[i] - middle);
-    normal += slope.transpose() * slope;
-    spread += slope.transpose() * covariances[i] * slope;
-  }
-  const Eigen::MatrixXd inverse = symmetric_inverse(normal.topLeftCorner(unknowns, unknowns));
-  const Eigen::MatrixXd parameters = inverse * spread.topLeftCorner(unknowns, unknowns) * inverse;
-  const Eigen::MatrixXd at_target = displacement(registration.fixed_from_moving * target - middle).leftCols(unknowns);
-  return at_target * parameters * at_target.transpose();
+ErrorInterval error_interval(double variance, double freedom) {
+  // Normal quantiles of 5 and 95 %.
+  const auto rms_of = [&](double quantile) { return std::sqrt(variance * freedom / quantile); };
+  return {rms_of(chi_squared_quantile(freedom, 1.6449)), rms_of(freedom),
+          rms_of(chi_squared_quantile(freedom, -1.6449))};
 }
 
-ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving,
-                           const std::vector<Mat3>& covariances, const Vec3& target) {
+Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>& moving,
+                       const std::vector<Mat3>& covariances, const Vec3& target) {
+  return covariance_at(told_errors(registration, moving, covariances), registration.fixed_from_moving * target);
+}
+
+PlacementErrors placement_errors(const Registration& registration, const std::vector<Vec3>& moving,
+                                 const std::vector<Mat3>& covariances) {
   const auto count = static_cast<Eigen::Index>(moving.size());
   const int unknowns = registration.scaled ? 7 : 6;
-  const Vec3 middle = registration.fixed_from_moving * mean_of(moving);
+  PlacementErrors errors = told_errors(registration, moving, covariances);
   Eigen::MatrixXd slopes(3 * count, unknowns), spread = Eigen::MatrixXd::Zero(3 * count, 3 * count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto point = static_cast<std::size_t>(i);
     slopes.middleRows(3 * i, 3) =
-        displacement(registration.fixed_from_moving * moving[point] - middle).leftCols(unknowns);
+        displacement(registration.fixed_from_moving * moving[point] - errors.middle).leftCols(unknowns);
     spread.block(3 * i, 3 * i, 3, 3) = covariances[point];
   }
   // What the fit leaves of the errors.
   const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(3 * count, 3 * count) -
                                slopes * symmetric_inverse(slopes.transpose() * slopes) * slopes.transpose();
   const Eigen::MatrixXd rest = left * spread;
-  const double expected = rest.trace(), freedom = 2.0 * expected * expected / (2.0 * (rest * rest).trace());
-  const double squares = static_cast<double>(count) * registration.fre_rms * registration.fre_rms;
-  const double variance = target_covariance(registration, moving, covariances, target).trace();
-  const auto tre_of = [&](double quantile) { return std::sqrt(variance * squares / expected * freedom / quantile); };
-  return {tre_of(chi_squared_quantile(freedom, 1.6449)), tre_of(freedom),
-          tre_of(chi_squared_quantile(freedom, -1.6449))};
+  const double expected = rest.trace();
+  errors.freedom = 2.0 * expected * expected / (2.0 * (rest * rest).trace());
+  errors.covariance *= static_cast<double>(count) * registration.fre_rms * registration.fre_rms / expected;
+  return errors;
+}
+
+ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving,
+                           const std::vector<Mat3>& covariances, const Vec3& target) {
+  const PlacementErrors errors = placement_errors(registration, moving, covariances);
+  return error_interval(covariance_at(errors, registration.fixed_from_moving * target).trace(), errors.freedom);
 }
 
 std::optional<double> hidden_scale(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving) {

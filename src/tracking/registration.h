@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "tracking/placement_errors.h"
+
 #include "core/geometry.h"
 
 namespace bodkin::tracking {
@@ -41,7 +43,8 @@ struct Registration {
   std::vector<double>
       leave_one_out;      // mm, error of each point when the others register it; empty with too few points
   double flatness = 0.0;  // least over largest extent but one of the points: 0 is on a line
-  std::optional<TargetError> at_target;  // where somebody asked for it
+  std::optional<TargetError> at_target;   // where somebody asked for it
+  std::optional<PlacementErrors> errors;  // where somebody asked for them
 };
 
 // Whether points are so nearly on a line that the rotation about it stays open: the second largest of their extents
@@ -68,6 +71,15 @@ double expected_fre(double fle, std::size_t points, bool with_scale);
 // TRE: hence an interval, from the distribution of FRE^2 (chi-squared with 3k - 6 degrees of freedom, 3k - 7 with
 // scale).
 ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving, const Vec3& target);
+
+// The interval of an RMS error whose variance in all, mm^2, was estimated with so many degrees of freedom.
+ErrorInterval error_interval(double variance, double freedom);
+
+// How uncertain the placement is, when the localisation errors of the pairs have these covariances (mm^2, of fixed
+// and moving together, in the fixed frame), right but for a factor that all share, which the residuals give: the
+// identity for each where they are equal. To first order, for the unweighted closed form.
+PlacementErrors placement_errors(const Registration& registration, const std::vector<Vec3>& moving,
+                                 const std::vector<Mat3>& covariances);
 
 // The covariance of a target's place when each pair has a localisation covariance of its own (mm^2, of fixed and
 // moving together, in the fixed frame), to first order, for the unweighted closed form.

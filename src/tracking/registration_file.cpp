@@ -20,6 +20,38 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{16} << 20U;
 constexpr double most_mm = 1e6;
 
+nlohmann::json errors_json(const PlacementErrors& errors) {
+  std::vector<double> entries;  // the matrix is symmetric
+  for (int row = 0; row < 7; ++row)
+    for (int column = 0; column < 7; ++column) entries.push_back(errors.covariance(row, column));
+  return {{"middle_mm", json_of(errors.middle)}, {"covariance", entries}, {"freedom", errors.freedom}};
+}
+
+PlacementErrors errors_of(const JsonFields& fields) {
+  PlacementErrors errors;
+  errors.middle = fields.point("middle_mm");
+  errors.freedom = fields.number("freedom", 1e-3, 1e6);
+  const auto entries = fields.object.find("covariance");
+  Matrix7 matrix = Matrix7::Constant(NAN);
+  if (entries != fields.object.end() && entries->is_array() && entries->size() == 49) {
+    for (std::size_t i = 0; i < entries->size(); ++i) {
+      const nlohmann::json& each = (*entries)[i];
+      if (each.is_number()) matrix(static_cast<int>(i / 7), static_cast<int>(i % 7)) = each.get<double>();
+    }
+  }
+  const double largest = matrix.allFinite() ? matrix.cwiseAbs().maxCoeff() : 0.0;
+  if (!matrix.allFinite() || matrix.diagonal().minCoeff() < 0.0 ||
+      (matrix - matrix.transpose()).cwiseAbs().maxCoeff() > 1e-6 * largest) {
+    throw InputError(
+        fmt::format("{}: \"covariance\" is none, expected 49 numbers, a symmetric 7 x 7 matrix row by row, as "
+                    "'bodkin register -o' "
+                    "writes it",
+                    fields.where));
+  }
+  errors.covariance = matrix;
+  return errors;
+}
+
 bool number_in(const std::string& text, double& value) {
   char* end = nullptr;
   value = std::strtod(text.c_str(), &end);
@@ -84,6 +116,7 @@ std::string registration_json(const Registration& registration) {
   json["fre_mean_mm"] = registration.fre_mean;
   json["residuals_mm"] = registration.residuals;
   json["leave_one_out_mm"] = registration.leave_one_out;
+  if (registration.errors) json["errors"] = errors_json(*registration.errors);
   if (registration.at_target) {
     const ErrorInterval& tre = registration.at_target->tre;
     json["target_mm"] = json_of(registration.at_target->target);
@@ -96,12 +129,14 @@ Registration read_registration(const std::filesystem::path& file) {
   const nlohmann::json json = read_json_object(file, "registration");
   const JsonFields fields{json, file.string()};
   fields.know({"fixed_from_moving", "scale", "fre_rms_mm", "fre_mean_mm", "residuals_mm", "leave_one_out_mm",
-               "target_mm", "tre_mm"});
+               "target_mm", "tre_mm", "errors"});
   const io::Placement placement = io::read_placement(file);
   Registration read;
   read.fixed_from_moving = {placement.pose.linear(), placement.pose.translation(), placement.scale};
   read.fre_rms = placement.fre_rms;
   read.fre_mean = fields.number("fre_mean_mm", 0.0, most_mm, 0.0);
+  if (const auto errors = json.find("errors"); errors != json.end())
+    read.errors = errors_of({*errors, file.string() + ": \"errors\""});
   if (const auto tre = json.find("tre_mm"); tre != json.end()) {
     const JsonFields interval{*tre, file.string() + ": \"tre_mm\""};
     TargetError& at_target = read.at_target.emplace();

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 
 #include "tests/cli/bodkin_command.h"
@@ -41,6 +42,45 @@ TEST_F(Register, says_what_the_interval_of_the_error_holds) {
   const Outcome done = bodkin("register fixed.csv moving.csv --target 30,30,40");
   EXPECT_THAT(done.output, MatchesRegex("(.|\n)*TRE at the target: [0-9.]+ mm RMS; its RMS lies between [0-9.]+ and "
                                         "[0-9.]+ mm in 9 of 10 registrations\n"));
+}
+
+// Patient to mannequin to board.
+TEST_F(Register, is_followed_by_an_earlier_one) {
+  write("board.csv", "a,-5,10.3,0\nb,-5,110,0\nc,-85.2,10,0\nd,-5,10,60.4\ne,-55,70,20.1\n");
+  write("mannequin.csv", "a,10,0,5\nb,110,0.3,5\nc,10,80,5.2\nd,10.1,0,65\ne,70,50,25\n");
+  ASSERT_EQ(bodkin("-q register board.csv fixed.csv --target 40,30,45 -o board.json").exit_code, 0);
+  ASSERT_EQ(bodkin("-q register mannequin.csv moving.csv --target 30,30,40 -o alone.json").exit_code, 0);
+  const Outcome done =
+      bodkin("register mannequin.csv moving.csv --target 30,30,40 --then board.json -o chained.json");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_THAT(done.output, HasSubstr("through board.json: scale 1.00000; TRE at the target"));
+  const auto estimate = [&](const char* file) {
+    return nlohmann::json::parse(text_of(file))["tre_mm"]["estimate"].get<double>();
+  };
+  // The target of the one is where that of the other is.
+  EXPECT_NEAR(estimate("chained.json"), std::hypot(estimate("alone.json"), estimate("board.json")), 0.01);
+  const nlohmann::json chained = nlohmann::json::parse(text_of("chained.json"));
+  EXPECT_EQ(chained["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
+  EXPECT_NEAR(chained["fixed_from_moving"][1].get<double>(), -1.0, 0.02);
+  EXPECT_NEAR(chained["fixed_from_moving"][3].get<double>(), -5.0, 0.5);
+  // What it leads to can be followed again.
+  EXPECT_EQ(bodkin("register mannequin.csv moving.csv --then chained.json").exit_code, 0);
+}
+
+TEST_F(Register, a_registration_that_tells_no_errors_is_followed_without_a_prediction) {
+  write("silent.json", "{\"fixed_from_moving\": [1,0,0,7, 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
+  const Outcome done = bodkin("--json register fixed.csv moving.csv --target 30,30,40 --then silent.json");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_THAT(done.errors, HasSubstr("silent.json does not tell its errors"));
+  const nlohmann::json json = nlohmann::json::parse(done.output);
+  EXPECT_FALSE(json.contains("tre_mm"));
+  EXPECT_NEAR(json["fixed_from_moving"][3].get<double>(), 17.0, 1e-6);
+  write("broken.json",
+        "{\"fixed_from_moving\": [1,0,0,7, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"errors\": {\"middle_mm\": [0,0,0], "
+        "\"freedom\": 6, \"covariance\": [1, 2]}}");
+  const Outcome broken = bodkin("register fixed.csv moving.csv --then broken.json");
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(broken.errors, HasSubstr("broken.json: \"errors\": \"covariance\" is none, expected 49 numbers"));
 }
 
 TEST_F(Register, draws_points_residuals_and_the_target) {

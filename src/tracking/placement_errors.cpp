@@ -1,0 +1,28 @@
+#include "tracking/placement_errors.h"
+
+namespace bodkin::tracking {
+
+namespace {
+
+Mat3 skew(const Vec3& v) {
+  Mat3 matrix;
+  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return matrix;
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 3, 7> displacement(const Vec3& from_middle) {
+  Eigen::Matrix<double, 3, 7> slope;
+  slope.leftCols<3>().setIdentity();
+  slope.block<3, 3>(0, 3) = -skew(from_middle);
+  slope.col(6) = from_middle;
+  return slope;
+}
+
+Mat3 covariance_at(const PlacementErrors& errors, const Vec3& place) {
+  const auto slope = displacement(place - errors.middle);
+  return slope * errors.covariance * slope.transpose();
+}
+
+}  // namespace bodkin::tracking
