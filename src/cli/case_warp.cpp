@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "core/error.h"
+#include "core/files.h"
 #include "io/case_folder.h"
 #include "io/partial_folder.h"
 #include "io/placement_file.h"
@@ -19,7 +20,7 @@ namespace bodkin::cli {
 namespace {
 
 struct CaseWarpOptions {
-  std::string patient, mannequin, folder, registration, name;
+  std::string patient, mannequin, folder, registration, placed, name;
   patient::SkinFitSettings fit;
   bool overwrite = false;
 };
@@ -30,6 +31,8 @@ constexpr const char* case_warp_footer =
 Examples:
   bodkin register mannequin.csv patient.csv -o placed.json
   bodkin case warp patient mannequin warped --registration placed.json
+  bodkin case warp patient mannequin warped --placed moved.json
+  bodkin overlay patient footage --registration moved.json       the patient as he is, skin on skin as well as may be
   bodkin case warp patient mannequin warped --reach 200          more of the skin than 120 mm about the entry
 
 MANNEQUIN is a case, made of a CT of it (bodkin case new). Without --registration the planned entries of both are laid upon
@@ -59,6 +62,7 @@ nlohmann::ordered_json json_of(const patient::SkinDistances& distances) {
 
 void run_case_warp(const CaseWarpOptions& options, const CommandContext& context) {
   patient::check(options.fit);
+  if (!options.placed.empty()) require_writable(options.placed, "--placed", options.registration);
   Console console(context);
   io::PartialFolder folder(options.folder, options.overwrite);
   const anatomy::Case patient = io::load_case(options.patient, console.progress());
@@ -72,6 +76,7 @@ void run_case_warp(const CaseWarpOptions& options, const CommandContext& context
   anatomy::Case made = patient::warped_case(patient, fit, console.progress());
   if (!options.name.empty()) made.description.name = options.name;
   io::write_case(made.description, made.ct, made.tissues, made.structures, &made.library, folder.path());
+  if (!options.placed.empty()) write_file(options.placed, io::placement_json({.pose = fit.moved()}));
   folder.finish();
   console.clear_bar();
   console.line(
@@ -102,6 +107,8 @@ void add_case_warp_command(CLI::App& case_group, CommandContext& context) {
   add_text(*command, "DIR", options->folder, "Folder of the new case; it must not exist yet").required();
   add_text(*command, "--registration", options->registration,
            "Where the patient lies in the mannequin, as 'bodkin register MANNEQUIN PATIENT' found it");
+  add_text(*command, "--placed", options->placed,
+           "File for where the patient lies when moved and not bent, a registration for 'bodkin overlay'");
   add_number(*command, "--reach", options->fit.reach, 30.0, 500.0, "mm of skin about the planned entry, 30 to 500");
   add_number(*command, "--spacing", options->fit.spacing, 5.0, 60.0,
              "mm between the points that are brought together, 5 to 60");

@@ -64,4 +64,14 @@ Pose read_rigid_placement(const std::filesystem::path& file, std::string_view ad
   throw InputError(fmt::format("{}: its scale is {:.4f}, expected 1; {}", file.string(), placement.scale, advice));
 }
 
+std::string placement_json(const Placement& placement) {
+  nlohmann::ordered_json json;
+  nlohmann::ordered_json& matrix = json["fixed_from_moving"] = nlohmann::ordered_json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix.push_back(placement.pose.matrix()(row, column));
+  json["scale"] = placement.scale;
+  if (placement.fre_rms > 0.0) json["fre_rms_mm"] = placement.fre_rms;
+  return json.dump(2) + "\n";
+}
+
 }  // namespace bodkin::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "core/geometry.h"
@@ -19,5 +20,8 @@ Placement read_placement(const std::filesystem::path& file);
 
 // The same for what is not scaled: throws InputError, which ends in `advice`, where the scale is not 1 within 2 %.
 Pose read_rigid_placement(const std::filesystem::path& file, std::string_view advice);
+
+// The text of such a file, without what only `bodkin register` knows of its points.
+std::string placement_json(const Placement& placement);
 
 }  // namespace bodkin::io
