@@ -24,7 +24,7 @@ namespace bodkin::cli {
 namespace {
 
 struct RegisterArguments {
-  std::string fixed, moving, target, output, picture, then;
+  std::string fixed, moving, target, output, picture, first, then;
   bool scale = false, match = false;
 };
 
@@ -38,6 +38,8 @@ constexpr const char* register_footer = R"(Examples:
   bodkin register board.csv mannequin_ct --match -o board.json
   bodkin register mannequin.csv patient.csv --target 0,60,20 --then board.json -o registration.json
                                                         patient to mannequin to board
+  bodkin register board.csv mannequin_ct --match --first moved.json -o registration.json
+                                                        the same, moved.json being what 'case warp --placed' wrote
 
 A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
 and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
@@ -62,16 +64,16 @@ std::string picture_of(const std::filesystem::path& file, const tracking::Regist
   return file.extension() == ".svg" ? picture.svg() : picture.png(picture_zoom);
 }
 
-// What comes of a registration that another one follows.
-void print_chain(Console& console, const RegisterArguments& arguments, const tracking::Registration& whole,
-                 const tracking::Registration& then) {
-  if (!then.errors) {
+// `whole`: the registration with the one of `file` before or after it; what is known of its points stays.
+void take_chain(Console& console, tracking::Registration& registration, tracking::Registration whole,
+                const std::string& file, bool tells_errors) {
+  if (!tells_errors) {
     console.note(
-        fmt::format("{} does not tell its errors, so that none can be predicted through it; make it anew with "
-                    "'bodkin register -o'",
-                    arguments.then));
+        fmt::format("{} does not tell its errors, so that none can be predicted through it; only what 'bodkin "
+                    "register -o' writes does",
+                    file));
   }
-  std::string line = fmt::format("through {}: scale {:.5f}", arguments.then, whole.fixed_from_moving.scale);
+  std::string line = fmt::format("through {}: scale {:.5f}", file, whole.fixed_from_moving.scale);
   if (whole.at_target) {
     const tracking::ErrorInterval& tre = whole.at_target->tre;
     line += fmt::format(
@@ -80,6 +82,10 @@ void print_chain(Console& console, const RegisterArguments& arguments, const tra
         tre.estimate, tre.low, tre.high);
   }
   console.line(line);
+  registration.fixed_from_moving = whole.fixed_from_moving;
+  registration.scaled = whole.scaled;
+  registration.at_target = whole.at_target;
+  registration.errors = whole.errors;
 }
 
 bool is_folder(const std::string& name) {
@@ -117,23 +123,23 @@ void note_lonely_points(Console& console, const std::vector<std::string>& alone,
   console.note(fmt::format("{}: no point of {} belongs to {}; left out", in, other, names));
 }
 
-void run_register(const RegisterArguments& arguments, const CommandContext& context) {
-  if (!arguments.output.empty()) require_writable(arguments.output, "--output", arguments.then);
+// What must be right before anything is read.
+void check_arguments(const RegisterArguments& arguments) {
+  if (!arguments.output.empty()) {
+    for (const std::string& input : {arguments.first, arguments.then})
+      require_writable(arguments.output, "--output", input);
+  }
   require_picture(arguments.picture);
-  Vec3 target = Vec3::Zero();
-  if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
   require_match_for_folders(arguments);
-  std::optional<tracking::Registration> then;
-  if (!arguments.then.empty()) then = tracking::read_registration(arguments.then);
-  Console console(context);
+}
+
+tracking::PointPairs pairs_of(Console& console, const RegisterArguments& arguments) {
   const Progress progress = console.progress();
   const tracking::NamedPoints fixed = points_of(arguments.fixed, progress),
                               moving = points_of(arguments.moving, progress);
   console.clear_bar();
-  const tracking::PointPairs pairs = tracking::pair_points(
+  tracking::PointPairs pairs = tracking::pair_points(
       fixed, moving, arguments.match ? tracking::PairedBy::distance : tracking::PairedBy::name_or_order);
-  const std::vector<std::string>& names = pairs.names;
-  const std::vector<Vec3>&to = pairs.fixed, &from = pairs.moving;
   note_lonely_points(console, pairs.fixed_alone, arguments.fixed, arguments.moving);
   note_lonely_points(console, pairs.moving_alone, arguments.moving, arguments.fixed);
   if (!arguments.match && fixed.names.empty() != moving.names.empty()) {
@@ -141,45 +147,76 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
                              fixed.names.empty() ? arguments.fixed : arguments.moving,
                              fixed.names.empty() ? arguments.moving : arguments.fixed));
   }
-  tracking::Registration registration = tracking::register_points(to, from, arguments.scale);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    std::string line = fmt::format("{:<16} residual {:.3f} mm", names[i], registration.residuals[i]);
+  return pairs;
+}
+
+void print_points(Console& console, const tracking::PointPairs& pairs, const tracking::Registration& registration) {
+  for (std::size_t i = 0; i < pairs.names.size(); ++i) {
+    std::string line = fmt::format("{:<16} residual {:.3f} mm", pairs.names[i], registration.residuals[i]);
     if (!registration.leave_one_out.empty())
       line += fmt::format(", placed by the others {:.3f} mm", registration.leave_one_out[i]);
     console.line(line);
   }
   console.line(fmt::format("FRE RMS {:.3f} mm, mean {:.3f} mm; scale {:.5f}", registration.fre_rms,
                            registration.fre_mean, registration.fixed_from_moving.scale));
-  if (const auto swapped = tracking::swapped_pairs(to, from, arguments.scale); !swapped.empty()) {
+}
+
+// What looks wrong about the points.
+void note_doubts(Console& console, const tracking::PointPairs& pairs, bool with_scale) {
+  const auto swapped = tracking::swapped_pairs(pairs.fixed, pairs.moving, with_scale);
+  if (!swapped.empty()) {
     std::string points;
     for (const auto& [one, other] : swapped)
-      points += fmt::format("{}{} and {}", points.empty() ? "" : ", or ", names[one], names[other]);
+      points += fmt::format("{}{} and {}", points.empty() ? "" : ", or ", pairs.names[one], pairs.names[other]);
     console.note(fmt::format("points {} fit far better when they are exchanged; check their names", points));
-  } else if (const auto scale = arguments.scale ? std::nullopt : tracking::hidden_scale(to, from)) {
+  } else if (const auto scale = with_scale ? std::nullopt : tracking::hidden_scale(pairs.fixed, pairs.moving)) {
     console.note(fmt::format(
         "the points fit far better with a scale of {:.4f}: a print is not to scale, or the two are not of one size; "
         "measure the ruler on the print, or give --scale",
         *scale));
   }
-  if (!arguments.target.empty()) {
-    const tracking::ErrorInterval tre =
-        pairs.unequal ? tracking::tre_interval(registration, from,
-                                               covariances_of(pairs, registration.fixed_from_moving), target)
-                      : tracking::tre_interval(registration, from, target);
-    console.line(fmt::format(
-        "TRE at the target: {:.2f} mm RMS; its RMS lies between {:.2f} and {:.2f} mm in 9 of 10 registrations",
-        tre.estimate, tre.low, tre.high));
-    registration.at_target = tracking::TargetError{target, tre};
+}
+
+tracking::TargetError error_at(Console& console, const Vec3& target, const tracking::PointPairs& pairs,
+                               const tracking::Registration& registration) {
+  const tracking::ErrorInterval tre =
+      pairs.unequal ? tracking::tre_interval(registration, pairs.moving,
+                                             covariances_of(pairs, registration.fixed_from_moving), target)
+                    : tracking::tre_interval(registration, pairs.moving, target);
+  console.line(fmt::format(
+      "TRE at the target: {:.2f} mm RMS; its RMS lies between {:.2f} and {:.2f} mm in 9 of 10 registrations",
+      tre.estimate, tre.low, tre.high));
+  return {target, tre};
+}
+
+void run_register(const RegisterArguments& arguments, const CommandContext& context) {
+  check_arguments(arguments);
+  std::optional<Vec3> target;
+  if (!arguments.target.empty()) target = parse_point(arguments.target, "--target");
+  std::optional<tracking::Registration> first, then;
+  if (!arguments.first.empty()) first = tracking::read_registration(arguments.first);
+  if (!arguments.then.empty()) then = tracking::read_registration(arguments.then);
+  Console console(context);
+  const tracking::PointPairs pairs = pairs_of(console, arguments);
+  tracking::Registration registration = tracking::register_points(pairs.fixed, pairs.moving, arguments.scale);
+  print_points(console, pairs, registration);
+  note_doubts(console, pairs, arguments.scale);
+  if (target) {
+    const Vec3 here = first ? first->fixed_from_moving * *target : *target;
+    registration.at_target = error_at(console, here, pairs, registration);
   }
   const std::string picture = picture_of(arguments.picture, registration, pairs);
   registration.errors =
-      tracking::placement_errors(registration, from,
+      tracking::placement_errors(registration, pairs.moving,
                                  pairs.unequal ? covariances_of(pairs, registration.fixed_from_moving)
-                                               : std::vector<Mat3>(from.size(), Mat3::Identity()));
-  if (then) {
-    registration = tracking::followed_by(registration, *then);
-    print_chain(console, arguments, registration, *then);
+                                               : std::vector<Mat3>(pairs.moving.size(), Mat3::Identity()));
+  if (first) {
+    first->at_target.reset();
+    if (target) first->at_target = tracking::TargetError{*target, {}};
+    take_chain(console, registration, followed_by(*first, registration), arguments.first, first->errors.has_value());
   }
+  if (then)
+    take_chain(console, registration, followed_by(registration, *then), arguments.then, then->errors.has_value());
   std::string json = tracking::registration_json(registration);
   if (!picture.empty()) write_file(arguments.picture, picture);
   if (!arguments.output.empty()) write_file(arguments.output, json);
@@ -198,6 +235,8 @@ void add_register_command(CLI::App& app, CommandContext& context) {
   add_switch(*command, "--scale", arguments->scale, "Find a scale too");
   add_switch(*command, "--match", arguments->match, "Pair the points by their distances");
   add_text(*command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
+  add_text(*command, "--first", arguments->first,
+           "A registration that comes before, of another frame to MOVING's: file and target then begin there");
   add_text(*command, "--then", arguments->then,
            "A registration that follows, of FIXED's frame to another: the file then leads there");
   add_text(*command, "--picture", arguments->picture, "Picture of points, residuals and target, .svg or .png");

@@ -51,7 +51,7 @@ TEST_F(CaseWarpCommand, writes_where_the_patient_lies_before_he_is_bent) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never"));
 #ifdef BODKIN_HAS_TRACKING
   write("here.csv", "0,0,0\n90,0,0\n0,70,0\n0,0,60\n");
-  const Outcome followed = bodkin("--json register here.csv here.csv --then moved.json");
+  const Outcome followed = bodkin("--json register here.csv here.csv --first moved.json");
   ASSERT_EQ(followed.exit_code, 0) << followed.text();
   EXPECT_NEAR(nlohmann::json::parse(followed.output)["fixed_from_moving"][3].get<double>(),
               placed["fixed_from_moving"][3].get<double>(), 1e-6);

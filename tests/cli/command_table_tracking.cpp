@@ -76,6 +76,7 @@ std::vector<CommandRow> tracking_commands() {
        {{"--scale", Kind::toggle},
         {"--match", Kind::toggle},
         {"--target", Kind::point},
+        {"--first", Kind::text},
         {"--then", Kind::text},
         {"--picture", Kind::text},
         {"--output", Kind::text}}},

@@ -67,6 +67,27 @@ TEST_F(Register, is_followed_by_an_earlier_one) {
   EXPECT_EQ(bodkin("register mannequin.csv moving.csv --then chained.json").exit_code, 0);
 }
 
+// The same chain, whichever of the two is made last.
+TEST_F(Register, follows_an_earlier_one_as_well) {
+  write("plate.csv", "a,-5,10.3,0\nb,-5,110,0\nc,-85.2,10,0\nd,-5,10,60.4\ne,-55,70,20.1\n");
+  write("dummy.csv", "a,10,0,5\nb,110,0.3,5\nc,10,80,5.2\nd,10.1,0,65\ne,70,50,25\n");
+  ASSERT_EQ(bodkin("-q register plate.csv fixed.csv -o outer.json").exit_code, 0);
+  ASSERT_EQ(bodkin("-q register dummy.csv moving.csv -o inner.json").exit_code, 0);
+  ASSERT_EQ(bodkin("-q register dummy.csv moving.csv --target 30,30,40 --then outer.json -o then.json").exit_code, 0);
+  const Outcome done = bodkin("register plate.csv fixed.csv --target 30,30,40 --first inner.json -o first.json");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  EXPECT_THAT(done.output, HasSubstr("through inner.json: scale 1.00000; TRE at the target"));
+  const nlohmann::json then = nlohmann::json::parse(text_of("then.json")),
+                       first = nlohmann::json::parse(text_of("first.json"));
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_NEAR(then["fixed_from_moving"][i].get<double>(), first["fixed_from_moving"][i].get<double>(), 1e-9);
+  for (const char* part : {"low", "estimate", "high"})
+    EXPECT_NEAR(then["tre_mm"][part].get<double>(), first["tre_mm"][part].get<double>(), 1e-6) << part;
+  EXPECT_EQ(first["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
+  // Each has the residuals of its own points.
+  EXPECT_NE(then["fre_rms_mm"], first["fre_rms_mm"]);
+}
+
 TEST_F(Register, a_registration_that_tells_no_errors_is_followed_without_a_prediction) {
   write("silent.json", "{\"fixed_from_moving\": [1,0,0,7, 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
   const Outcome done = bodkin("--json register fixed.csv moving.csv --target 30,30,40 --then silent.json");
