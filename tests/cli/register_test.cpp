@@ -1,9 +1,14 @@
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+
+#include "io/case_folder.h"
 
 // `bodkin register` as a user runs it.
 
@@ -229,6 +234,47 @@ TEST_F(Register, a_scale_that_would_fit_is_said) {
   EXPECT_THAT(bodkin("register fixed.csv larger.csv").errors, HasSubstr("a scale of 0.9901"));
   EXPECT_EQ(bodkin("register fixed.csv larger.csv --scale").errors, "");
   EXPECT_EQ(bodkin("register fixed.csv moving.csv").errors, "");
+}
+
+class RegisterCase : public PatientCommand {};
+
+// Balls of 3 mm radius in foam within a patient's CT, some of a list of points and one more.
+TEST_F(RegisterCase, beads_of_a_ct_are_matched_with_points) {
+  bodkin::anatomy::Case beaded = bodkin::io::load_case(patient());
+  const bodkin::anatomy::Grid& grid = beaded.ct.grid;
+  const std::vector<bodkin::Vec3> shares = {
+      {0.2, 0.2, 0.2}, {0.8, 0.25, 0.3}, {0.3, 0.75, 0.25}, {0.7, 0.6, 0.8}, {0.25, 0.3, 0.7}};
+  const bodkin::Vec3 shift(7.0, -20.0, 300.0);
+  std::string points = "1000,0,0\n";  // belongs to no bead
+  for (const bodkin::Vec3& share : shares) {
+    std::array<int, 3> middle{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      middle[axis] = static_cast<int>(share[static_cast<int>(axis)] * grid.size[axis]);
+    const bodkin::Vec3 centre = grid.to_patient(bodkin::Vec3(middle[0], middle[1], middle[2]));
+    constexpr int around = 6;  // voxels
+    for (int k = -around; k <= around; ++k) {
+      for (int j = -around; j <= around; ++j) {
+        for (int i = -around; i <= around; ++i) {
+          const double away = bodkin::Vec3(i, j, k).cwiseProduct(grid.spacing).norm();
+          beaded.ct.at(middle[0] + i, middle[1] + j, middle[2] + k) = away < 3.0 ? 2500 : -900;
+        }
+      }
+    }
+    const bodkin::Vec3 seen = centre + shift;
+    points += std::to_string(seen.x()) + "," + std::to_string(seen.y()) + "," + std::to_string(seen.z()) + "\n";
+  }
+  write("seen.csv", points);
+  std::filesystem::create_directory(folder_ / "beaded");
+  bodkin::io::write_case(beaded.description, beaded.ct, beaded.tissues, beaded.structures, &beaded.library,
+                         folder_ / "beaded");
+  const Outcome done = bodkin("--json register seen.csv beaded --match -o seen.json");
+  ASSERT_EQ(done.exit_code, 0) << done.text();
+  const nlohmann::json json = nlohmann::json::parse(done.output);
+  EXPECT_EQ(json["residuals_mm"].size(), shares.size());
+  EXPECT_LT(json["fre_rms_mm"].get<double>(), 0.05);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(json["fixed_from_moving"][4 * axis + 3].get<double>(), shift[static_cast<int>(axis)], 0.2);
+  EXPECT_THAT(done.errors, HasSubstr("seen.csv: no point of beaded belongs to '1'; left out"));
 }
 
 }  // namespace
