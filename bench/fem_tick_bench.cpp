@@ -74,7 +74,8 @@ const CondensedBody& way_of_the_needle() {
   return body;
 }
 
-EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends, const Eigen::MatrixXd* other = nullptr) {
+EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends, const Eigen::MatrixXd* other = nullptr,
+                                 const NeedleRelaxation& relaxation = {}) {
   ContactTissues tissues;
   tissues.fill({.friction = 0.005});
   EmbeddedNeedleSettings settings;
@@ -82,7 +83,7 @@ EmbeddedNeedle needle_on_its_way(const CondensedBody& body, bool bends, const Ei
   settings.most_nodes = 160;
   std::optional<NeedleBeam> beam;
   if (bends) beam = NeedleBeam({.rigidity = 257.0, .length = 90.0, .cut_offset = 0.1});
-  EmbeddedNeedle needle(body, tissues, settings, 1e-3, beam, other);
+  EmbeddedNeedle needle(body, tissues, settings, 1e-3, beam, other, relaxation);
   needle.begin(Vec3::Zero(), Vec3::UnitZ());
   return needle;
 }
@@ -112,10 +113,9 @@ std::vector<Pose> pushing_and_swaying(double depth, Hand hand = Hand::steady) {
 // A needle that holds k nodes and is pushed and drawn by 5 mm at 25 mm/s, a node every 20 ticks, while it sways:
 // nodes come and go, friction slides, and turns round every 200 ticks. Second argument 1: it bends (27G, clamped,
 // with a bevel). Third argument: the hand.
-void needle_tick(benchmark::State& state) {
-  EmbeddedNeedle contact = needle_on_its_way(way_of_the_needle(), state.range(1) != 0);
+void time_needle(benchmark::State& state, EmbeddedNeedle contact, Hand hand) {
   const double depth = 0.5 * static_cast<double>(state.range(0)) - 0.25;
-  const std::vector<Pose> motion = pushing_and_swaying(depth, static_cast<Hand>(state.range(2)));
+  const std::vector<Pose> motion = pushing_and_swaying(depth, hand);
   for (double tip = -1.0; tip < depth + 2.5; tip += 0.02)
     contact.step(needle_pose(Vec3(0.0, 0.0, tip), Vec3::UnitZ()));
   double nodes = 0.0, sticking = 0.0;
@@ -128,6 +128,16 @@ void needle_tick(benchmark::State& state) {
   });
   state.counters["nodes"] = nodes / static_cast<double>(ticks);
   state.counters["sticking"] = sticking / static_cast<double>(ticks);
+}
+
+void needle_tick(benchmark::State& state) {
+  time_needle(state, needle_on_its_way(way_of_the_needle(), state.range(1) != 0), static_cast<Hand>(state.range(2)));
+}
+
+// In tissue that relaxes, with two terms.
+void relaxing_tick(benchmark::State& state) {
+  const std::vector<PronyTerm> terms = {{.share = 0.3, .time = 0.1}, {.share = 0.2, .time = 2.0}};
+  time_needle(state, needle_on_its_way(way_of_the_needle(), false, nullptr, {terms}), Hand::steady);
 }
 
 // The slowest tick while a needle in k points goes over to another compliance, since something holds other nodes.
@@ -153,7 +163,7 @@ void changeover_tick(benchmark::State& state) {
   report_times(state, std::move(slowest));
 }
 
-// The field for the eyes: a grid of 32^3 points and 2116 points of skin.
+// The displacement field for the display: a grid of 32^3 points and 2116 points of skin.
 void display_field(benchmark::State& state) {
   constexpr Eigen::Index points = 32 * 32 * 32 + 2116;
   static const DisplayField field = [] {
@@ -181,6 +191,7 @@ BENCHMARK(needle_tick)
     ->ArgsProduct({{1, 10, 50, 100, 150}, {0, 1}, {0}})
     ->ArgsProduct({{50, 150}, {0, 1}, {1, 2, 3}})
     ->Iterations(50000);
+BENCHMARK(relaxing_tick)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(50000);
 BENCHMARK(changeover_tick)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500);
 BENCHMARK(display_field)->ArgName("k")->Arg(10)->Arg(50)->Arg(150)->Iterations(500)->Unit(benchmark::kMillisecond);
 

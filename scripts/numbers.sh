@@ -54,6 +54,7 @@ run_bench:expert_recorded the same, recorded
 fem_tick_bench:machine_itself a fixed sum of about 6 us: what the machine adds
 fem_tick_bench:factor_tick constraint factor: solve and update, k constraints
 fem_tick_bench:needle_tick needle in the deformable body, k contact points
+fem_tick_bench:relaxing_tick the same in tissue that relaxes, k contact points
 fem_tick_bench:changeover_tick the slowest tick while k contact points go over to another compliance
 fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
