@@ -46,9 +46,9 @@ Assignment nearest_pairs(const Similarity& placed, const std::vector<Vec3>& fixe
 // Refuses a set that cannot be matched, before its points are compared with others.
 void require_a_triangle(const std::vector<Vec3>& points, const char* set) {
   if (points.size() < 3) {
-    throw InputError(
-        fmt::format("registration: there {} {} {} point{}, expected at least 3 to pair them by their distances",
-                    points.size() == 1 ? "is" : "are", points.size(), set, points.size() == 1 ? "" : "s"));
+    throw InputError(fmt::format(
+        "registration: the number of {} points is {}, expected at least 3 to pair them by their distances", set,
+        points.size()));
   }
   if (on_a_line(points)) {
     throw InputError(

@@ -148,8 +148,8 @@ TEST_F(Register, points_to_be_matched_are_counted_first) {
   write("couple.csv", "0,0,0\n50,0,0\n");
   const Outcome few = bodkin("register couple.csv fixed.csv --match");
   EXPECT_EQ(few.exit_code, 2);
-  EXPECT_THAT(few.errors, HasSubstr("there are 2 fixed points, expected at least 3"));
-  EXPECT_THAT(bodkin("register fixed.csv couple.csv --match").errors, HasSubstr("there are 2 moving points"));
+  EXPECT_THAT(few.errors, HasSubstr("the number of fixed points is 2, expected at least 3"));
+  EXPECT_THAT(bodkin("register fixed.csv couple.csv --match").errors, HasSubstr("the number of moving points is 2"));
 }
 
 TEST_F(Register, points_to_be_matched_must_not_lie_on_a_line) {

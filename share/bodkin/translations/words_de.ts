@@ -8128,6 +8128,30 @@
         <translation>der Körper wurde um %1 Grad gedreht; um seine Achse zu finden, braucht es mindestens %2</translation>
     </message>
     <message>
+        <source>there is a point called '%1' already; give each a name of its own</source>
+        <translation>es gibt schon einen Punkt namens „%1“; geben Sie jedem einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>registration: %1 fixed and %2 moving points, which are paired by their order; give both names, or --match to pair them by their distances</source>
+        <translation>Registrierung: %1 feste und %2 bewegte Punkte, die nach ihrer Reihenfolge gepaart werden; geben Sie beiden Namen, oder --match, um sie nach ihren Abständen zu paaren</translation>
+    </message>
+    <message>
+        <source>registration: the %1 points lie on a line, which leaves the rotation about it open; add a point off that line</source>
+        <translation>Registrierung: die Punkte (%1) liegen auf einer Geraden, was die Drehung um sie offen lässt; fügen Sie einen Punkt abseits dieser Geraden hinzu</translation>
+    </message>
+    <message>
+        <source>registration: the points that lie alike in both sets are on a line, which leaves the rotation about it open; check that a point off that line is in both sets</source>
+        <translation>Registrierung: die Punkte, die in beiden Mengen gleich liegen, sind auf einer Geraden, was die Drehung um sie offen lässt; prüfen Sie, ob ein Punkt abseits dieser Geraden in beiden Mengen ist</translation>
+    </message>
+    <message>
+        <source>registration: the number of %1 points is %2, expected at least 3 to pair them by their distances</source>
+        <translation>Registrierung: die Zahl der Punkte (%1) ist %2, erwartet: mindestens 3, um sie nach ihren Abständen zu paaren</translation>
+    </message>
+    <message>
+        <source>the points can be paired in more than one way that fits; move one of them so that their distances differ, or give them names</source>
+        <translation>die Punkte lassen sich auf mehr als eine passende Weise paaren; versetzen Sie einen von ihnen, damit ihre Abstände sich unterscheiden, oder geben Sie ihnen Namen</translation>
+    </message>
+    <message>
         <source>registration: no three points of one set lie as three of the other do; check that both show the same fiducials, in mm</source>
         <translation>Registrierung: keine drei Punkte der einen Menge liegen wie drei der anderen; prüfen Sie, ob beide dieselben Marken zeigen, in mm</translation>
     </message>
