@@ -43,7 +43,7 @@ PlacementErrors errors_of(const JsonFields& fields) {
   if (!matrix.allFinite() || matrix.diagonal().minCoeff() < 0.0 ||
       (matrix - matrix.transpose()).cwiseAbs().maxCoeff() > 1e-6 * largest) {
     throw InputError(
-        fmt::format("{}: \"covariance\" is none, expected 49 numbers, a symmetric 7 x 7 matrix row by row, as "
+        fmt::format("{}: \"covariance\" is not valid, expected 49 numbers, a symmetric 7 x 7 matrix row by row, as "
                     "'bodkin register -o' "
                     "writes it",
                     fields.where));

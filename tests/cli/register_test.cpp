@@ -106,7 +106,7 @@ TEST_F(Register, a_registration_that_tells_no_errors_is_followed_without_a_predi
         "\"freedom\": 6, \"covariance\": [1, 2]}}");
   const Outcome broken = bodkin("register fixed.csv moving.csv --then broken.json");
   EXPECT_EQ(broken.exit_code, 2);
-  EXPECT_THAT(broken.errors, HasSubstr("broken.json: \"errors\": \"covariance\" is none, expected 49 numbers"));
+  EXPECT_THAT(broken.errors, HasSubstr("broken.json: \"errors\": \"covariance\" is not valid, expected 49 numbers"));
 }
 
 TEST_F(Register, draws_points_residuals_and_the_target) {

@@ -8152,6 +8152,10 @@
         <translation>die Punkte lassen sich auf mehr als eine passende Weise paaren; versetzen Sie einen von ihnen, damit ihre Abstände sich unterscheiden, oder geben Sie ihnen Namen</translation>
     </message>
     <message>
+        <source>"covariance" is not valid, expected 49 numbers, a symmetric 7 x 7 matrix row by row, as 'bodkin register -o' writes it</source>
+        <translation>„covariance“ ist nicht gültig, erwartet: 49 Zahlen, eine symmetrische 7 x 7-Matrix Zeile für Zeile, wie 'bodkin register -o' sie schreibt</translation>
+    </message>
+    <message>
         <source>registration: no three points of one set lie as three of the other do; check that both show the same fiducials, in mm</source>
         <translation>Registrierung: keine drei Punkte der einen Menge liegen wie drei der anderen; prüfen Sie, ob beide dieselben Marken zeigen, in mm</translation>
     </message>
