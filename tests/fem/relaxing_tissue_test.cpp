@@ -47,8 +47,9 @@ TEST(RelaxingNeedle, a_dimple_that_is_held_relaxes_as_its_series_says) {
   ASSERT_GT(at_first, 0.1);
   for (int tick = 1; tick <= 3000; ++tick) {
     relaxing.to(1.0);
-    if (tick % 100 == 0)
+    if (tick % 100 == 0) {
       EXPECT_NEAR(relaxing.force.resistance, at_first * left_after(1e-3 * tick), 1e-2 * at_first) << tick;
+    }
   }
   // The dimple stays as deep as the tip, however much of its force has gone.
   EXPECT_NEAR(relaxing.model.elastic_forces().nodes[0].force[2], at_first, 1e-5 * at_first);
@@ -134,10 +135,14 @@ TEST(RelaxingNeedle, gives_no_energy) {
       }
       depth = goal;
     }
-    if (!comes_out) EXPECT_GT(rig.force.nodes, 3U);
+    if (!comes_out) {
+      EXPECT_GT(rig.force.nodes, 3U);
+    }
     punctures += rig.force.opened_depth >= 0.0 ? 1 : 0;
     EXPECT_GT(least, -1e-3) << trial;
-    if (!comes_out) EXPECT_LT(fall, 1e-3) << trial;
+    if (!comes_out) {
+      EXPECT_LT(fall, 1e-3) << trial;
+    }
   }
   EXPECT_GT(punctures, 0);
 }
@@ -192,7 +197,9 @@ TEST(RelaxingNeedle, is_the_same_again_forgets_at_a_reset_and_takes_no_memory) {
     needle.begin(Vec3::Zero(), Vec3::UnitZ());
     const RealTimeGuard guard;
     for (const Vec3& tip : way) felt->push_back(needle.step(needle_pose(tip, Vec3::UnitZ())).resistance);
-    if (RealTimeGuard::available()) EXPECT_EQ(RealTimeGuard::heap_calls(), 0U);
+    if (RealTimeGuard::available()) {
+      EXPECT_EQ(RealTimeGuard::heap_calls(), 0U);
+    }
   }
   EXPECT_EQ(first, again);
 }

@@ -157,10 +157,11 @@ TEST(DeformableResistance, tissue_relaxes_where_the_case_says_so) {
       is = relaxing.step({along_z(depth)}).resistance;
     }
     ASSERT_GT(was, 0.1);
-    if (device > 1.0)
+    if (device > 1.0) {
       EXPECT_NEAR(is, 0.6 * was, 0.01 * was);
-    else
+    } else {
       EXPECT_GT(is, 0.75 * was) << "most of the way is the spring's";
+    }
     EXPECT_LT(is, 0.98 * was);
   }
   Case closest = deformable_patient(ClosestNodeSettings{});
