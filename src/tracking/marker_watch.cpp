@@ -64,8 +64,7 @@ std::string MarkerWatch::sentence_about(const Counts& foreign, int pictures) con
   if (all == 0) return {};
   return fmt::format(
       "{}: markers are seen that are on no body ({}{}); name the file of the bodies that carry them, or keep those "
-      "of "
-      "'bodkin markers --pdf' in view",
+      "of 'bodkin markers --pdf' in view",
       source_, ids, all > named ? ", ..." : "");
 }
 

@@ -1,21 +1,13 @@
 #include "tracking/placement_errors.h"
 
+#include "tracking/cross_matrix.h"
+
 namespace bodkin::tracking {
-
-namespace {
-
-Mat3 skew(const Vec3& v) {
-  Mat3 matrix;
-  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return matrix;
-}
-
-}  // namespace
 
 Eigen::Matrix<double, 3, 7> displacement(const Vec3& from_middle) {
   Eigen::Matrix<double, 3, 7> slope;
   slope.leftCols<3>().setIdentity();
-  slope.block<3, 3>(0, 3) = -skew(from_middle);
+  slope.block<3, 3>(0, 3) = -cross_matrix(from_middle);
   slope.col(6) = from_middle;
   return slope;
 }

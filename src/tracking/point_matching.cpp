@@ -128,8 +128,7 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
   if (proposals.empty() && alike_on_a_line) {
     throw InputError(
         "registration: the points that lie alike in both sets are on a line, which leaves the rotation about it "
-        "open; "
-        "check that a point off that line is in both sets");
+        "open; check that a point off that line is in both sets");
   }
   if (proposals.empty()) {
     throw InputError(

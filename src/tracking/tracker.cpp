@@ -4,22 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/cross_matrix.h"
 #include "tracking/start_pose.h"
 #include <fmt/format.h>
 
 #include "core/error.h"
 
 namespace bodkin::tracking {
-
-namespace {
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 matrix;
-  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return matrix;
-}
-
-}  // namespace
 
 std::string_view name_of(TrackingStatus status) {
   switch (status) {
