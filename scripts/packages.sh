@@ -4,7 +4,7 @@
 packages_to_run=(
   clang lld cmake ninja-build ccache pkg-config
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev
-  libxml2-dev libcsv-dev libpng-dev zlib1g-dev libdeflate-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev libpqxx-dev
+  libxml2-dev libsleef-dev libcsv-dev libpng-dev zlib1g-dev libdeflate-dev libxxhash-dev libsqlitecpp-dev libsqlite3-dev libpqxx-dev
   libceres-dev libboost-dev libsimdjson-dev libopenblas-dev libmetis-dev libcgal-dev
   libinsighttoolkit5-dev libgdcm-dev libgdcm-tools
   libcairo2-dev fonts-dejavu-core

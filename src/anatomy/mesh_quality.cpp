@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "anatomy/mesh_parts.h"
+#include "core/repeatable.h"
 
 namespace bodkin::anatomy {
 namespace {
@@ -23,7 +24,7 @@ double angle_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double length = edge.norm();
   if (length == 0.0) return 0.0;
   const Vec3 n = edge.cross(c - a), m = edge.cross(d - a);
-  return std::atan2(n.cross(m).norm(), n.dot(m)) / degree;
+  return repeatable::atan2(n.cross(m).norm(), n.dot(m)) / degree;
 }
 
 void measure_elements(const TetrahedralMesh& mesh, MeshQuality& quality) {

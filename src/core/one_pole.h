@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
+
 namespace bodkin {
 
 // First-order low pass in discrete time, y += a (x - y), a = 1 - exp(-2 pi fc T): exact for an input that is held
@@ -11,7 +13,7 @@ namespace bodkin {
 class OnePole {
  public:
   // `cutoff`: Hz, > 0. `dt`: s, > 0.
-  OnePole(double cutoff, double dt) : gain_(1.0 - std::exp(-2.0 * std::numbers::pi * cutoff * dt)) {}
+  OnePole(double cutoff, double dt) : gain_(1.0 - repeatable::exp(-2.0 * std::numbers::pi * cutoff * dt)) {}
 
   double step(double input) noexcept { return value_ += gain_ * (input - value_); }
   double value() const noexcept { return value_; }

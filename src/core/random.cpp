@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
+
 namespace bodkin {
 
 std::uint64_t Random::next() {
@@ -16,8 +18,8 @@ double Random::uniform() {
 }
 
 double Random::normal() {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - u lies in (0, 1]
-  return radius * std::cos(2.0 * std::numbers::pi * uniform());
+  const double radius = std::sqrt(-2.0 * repeatable::log(1.0 - uniform()));  // 1 - u lies in (0, 1]
+  return radius * repeatable::cos(2.0 * std::numbers::pi * uniform());
 }
 
 }  // namespace bodkin

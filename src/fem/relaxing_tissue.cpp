@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repeatable.h"
 #include "core/settings_check.h"
 #include "fem/upper_triangular.h"
 
@@ -18,7 +19,7 @@ RelaxingTissue::RelaxingTissue(std::span<const anatomy::PronyTerm> terms, double
   for (const anatomy::PronyTerm& term : terms) {
     check(term, "embedded_needle");
     shares_.push_back(term.share);
-    decays_.push_back(std::exp(-dt / term.time));
+    decays_.push_back(repeatable::exp(-dt / term.time));
   }
   parts_.assign(shares_.size() * stride_, 0.0);
   by_removed_ = parts_;

@@ -5,13 +5,15 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/repeatable.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
 
 double bending_stiffness(double modulus, double outer_diameter, double inner_diameter) {
-  return modulus * std::numbers::pi / 64.0 * (std::pow(outer_diameter, 4) - std::pow(inner_diameter, 4));
+  const double outer = outer_diameter * outer_diameter, inner = inner_diameter * inner_diameter;
+  return modulus * std::numbers::pi / 64.0 * (outer * outer - inner * inner);
 }
 
 Beam::Beam(const anatomy::BeamSettings& settings, const anatomy::Needle& needle, double dt)
@@ -27,7 +29,7 @@ Beam::Beam(const anatomy::BeamSettings& settings, const anatomy::Needle& needle,
   }
   rigidity_ =
       bending_stiffness(settings.modulus, needle.outer_diameter, settings.stylet ? 0.0 : needle.inner_diameter);
-  shortest_ = std::cbrt(3.0 * rigidity_ / settings.largest_stiffness);
+  shortest_ = repeatable::cbrt(3.0 * rigidity_ / settings.largest_stiffness);
   outside_.reset(length_);
 }
 

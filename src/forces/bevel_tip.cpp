@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repeatable.h"
+#include "core/rotation.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -18,24 +20,27 @@ Pose exponential(const Vec3& w, const Vec3& v) {
     return pose;
   }
   const Vec3 axis = w / angle;
-  pose.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-  pose.translation() = v * (std::sin(angle) / angle) + axis.cross(v) * ((1.0 - std::cos(angle)) / angle) +
-                       axis * (axis.dot(v) * (1.0 - std::sin(angle) / angle));
+  pose.linear() = rotation_about(axis, angle);
+  pose.translation() = v * (repeatable::sin(angle) / angle) +
+                       axis.cross(v) * ((1.0 - repeatable::cos(angle)) / angle) +
+                       axis * (axis.dot(v) * (1.0 - repeatable::sin(angle) / angle));
   return pose;
 }
 
 Pose rolled(const Pose& pose, double angle) {
-  return pose * Eigen::AngleAxisd(angle, Vec3::UnitZ());
+  Pose turned = pose;
+  turned.linear() = pose.linear() * rotation_about(Vec3::UnitZ(), angle);
+  return turned;
 }
 
 }  // namespace
 
 double bevel_curvature(double angle, double base) {
-  return std::tan(angle) / base;
+  return repeatable::tan(angle) / base;
 }
 
 WinklerTip winkler_tip(double rigidity, double foundation, double load) {
-  const double beta = std::pow(foundation / (4.0 * rigidity), 0.25);
+  const double beta = repeatable::pow(foundation / (4.0 * rigidity), 0.25);
   return {beta, 2.0 * load * beta / foundation};
 }
 
@@ -65,7 +70,7 @@ Pose BevelTip::on_path(double length) const noexcept {
   Pose pose = Pose::Identity();
   pose.translation() = a.pose.translation() + (b.pose.translation() - a.pose.translation()) * part;
   const Eigen::Quaterniond from(rolled(a.pose, -a.roll).linear()), to(rolled(b.pose, -b.roll).linear());
-  pose.linear() = from.slerp(part, to).toRotationMatrix();
+  pose.linear() = interpolate(from, to, part).toRotationMatrix();
   return rolled(pose, roll_);
 }
 

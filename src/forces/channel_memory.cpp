@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -10,7 +11,7 @@ namespace bodkin::forces {
 ChannelMemory::ChannelMemory(double same_distance, double same_angle) : same_distance_(same_distance) {
   check_range("channel_memory", "distance of entries of one channel", same_distance, {0.0, 100.0}, "mm");
   check_range("channel_memory", "angle between directions of one channel", same_angle, {0.0, 90.0}, "deg");
-  same_cosine_ = std::cos(same_angle * std::numbers::pi / 180.0);
+  same_cosine_ = repeatable::cos(same_angle * std::numbers::pi / 180.0);
 }
 
 bool ChannelMemory::enter(const Vec3& entry, const Vec3& direction) noexcept {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 #include "forces/syringe.h"
 
@@ -43,7 +44,8 @@ double CsfFlow::section() const noexcept {
 
 double CsfFlow::pressure() const noexcept {
   if (settings_.pressure_volume_index == 0.0) return settings_.opening_pressure;
-  return settings_.opening_pressure * std::pow(10.0, -1e-3 * state_.collected / settings_.pressure_volume_index);
+  return settings_.opening_pressure *
+         repeatable::pow(10.0, -1e-3 * state_.collected / settings_.pressure_volume_index);
 }
 
 void CsfFlow::empty_manometer() noexcept {
@@ -54,7 +56,7 @@ void CsfFlow::empty_manometer() noexcept {
 const CsfState& CsfFlow::step_manometer(double open, bool stylet) noexcept {
   const double part = opening(open, stylet);
   const double before = state_.height;
-  state_.height -= (pressure() - before) * std::expm1(-dt_ * part / time_constant());
+  state_.height -= (pressure() - before) * repeatable::expm1(-dt_ * part / time_constant());
   state_.flow = (state_.height - before) * section() / dt_;
   return state_;
 }

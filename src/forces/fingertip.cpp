@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "anatomy/tissue_surface.h"
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -101,7 +102,7 @@ void Fingertip::notice_place(const Vec3& tip, const Vec3& axis, TickEvents& even
 const FingertipState& Fingertip::step(const Vec3& tip, const Vec3& axis, TickEvents& events) noexcept {
   const Vec3 across = axis.unitOrthogonal(), other = axis.cross(across);
   const double area = std::numbers::pi * settings_.radius * settings_.radius / points;
-  const double share = -std::expm1(-dt_ / cover_time);
+  const double share = -repeatable::expm1(-dt_ / cover_time);
   const bool was_touching = state_.touching;
   state_ = {};
   double bent = 0.0, wall = 0.0;  // N of the columns, of the bones
@@ -109,7 +110,7 @@ const FingertipState& Fingertip::step(const Vec3& tip, const Vec3& axis, TickEve
     Vec3 place = tip;
     if (i > 0) {
       const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / (points - 1);
-      place += 0.8 * settings_.radius * (std::cos(angle) * across + std::sin(angle) * other);
+      place += 0.8 * settings_.radius * (repeatable::cos(angle) * across + repeatable::sin(angle) * other);
     }
     const double depth = depth_under_skin(place, axis);
     if (depth == 0.0) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -76,7 +77,7 @@ void HapticField::smooth(double sigma) {
   std::vector<float> kernel;
   float sum = 0.0F;
   for (int i = -radius; i <= radius; ++i) {
-    kernel.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
+    kernel.push_back(static_cast<float>(repeatable::exp(-0.5 * i * i / (sigma * sigma))));
     sum += kernel.back();
   }
   for (float& tap : kernel) tap /= sum;

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/repeatable.h"
+
 namespace bodkin::forces {
 
 namespace {
@@ -117,14 +119,15 @@ double trailing_of(const anatomy::Case& patient) {
 }  // namespace
 
 double tip_factor(const anatomy::Needle& needle) noexcept {
-  const double spread = std::tan(radians(anatomy::bevel_angle(needle))) / std::tan(radians(usual_bevel));
+  const double spread =
+      repeatable::tan(radians(anatomy::bevel_angle(needle))) / repeatable::tan(radians(usual_bevel));
   return torn_factor(needle) + (1.0 - torn_share) * spread;
 }
 
 double puncture_force(const anatomy::PhysicalTissue& tissue, const anatomy::Needle& needle) noexcept {
   if (!(tissue.puncture_force > 0.0)) return 0.0;
   const anatomy::Needle reference = {.tip = tissue.reference_tip};
-  return tissue.puncture_force * std::pow(needle.outer_diameter / tissue.reference_diameter, tissue.exponent) *
+  return tissue.puncture_force * repeatable::pow(needle.outer_diameter / tissue.reference_diameter, tissue.exponent) *
          tip_factor(needle) / tip_factor(reference);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -24,7 +25,7 @@ Vec3 Pivot::turning_back(const Vec3& axis, double inside) const noexcept {
   const Vec3 across = turned - turned.dot(axis) * axis;
   const double size = across.norm();
   if (size <= 1e-12) return Vec3::Zero();
-  const double chord = std::min(turned.norm(), 2.0 * std::sin(0.5 * settings_.largest_angle));
+  const double chord = std::min(turned.norm(), 2.0 * repeatable::sin(0.5 * settings_.largest_angle));
   const double correction = settings_.gain * settings_.stiffness * length_ * chord;  // |F_c|
   const double outside = std::max(length_ - inside, settings_.shortest_outside);     // l2
   return across * (-correction * inside / outside / size);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -14,8 +15,8 @@ PronyRelaxation::PronyRelaxation(std::span<const anatomy::PronyTerm> terms, doub
   for (std::size_t i = 0; i < count_; ++i) {
     check(terms[i], model);
     sum += terms[i].share;
-    decay_[i] = std::exp(-dt / terms[i].time);
-    gain_[i] = -terms[i].share * terms[i].time / dt * std::expm1(-dt / terms[i].time);
+    decay_[i] = repeatable::exp(-dt / terms[i].time);
+    gain_[i] = -terms[i].share * terms[i].time / dt * repeatable::expm1(-dt / terms[i].time);
   }
   check_range(model, "sum of the shares", sum, {0.0, 1.0}, "");
   rest_ = 1.0 - sum;

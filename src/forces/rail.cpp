@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 
@@ -29,7 +30,7 @@ Vec3 Rail::torque(const Vec3& axis, double depth) const noexcept {
     return direction_.unitOrthogonal() *
            std::min(settings_.torsion * grown * std::numbers::pi, settings_.torque_limit);
   }
-  const double size = settings_.torsion * grown * std::atan2(sine, cosine);
+  const double size = settings_.torsion * grown * repeatable::atan2(sine, cosine);
   return turn * (std::min(size, settings_.torque_limit) / sine);
 }
 

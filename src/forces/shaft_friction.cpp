@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 #include "forces/needle_law.h"
 
@@ -58,7 +59,7 @@ double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contac
   }
   if (dx != 0.0) {
     const double steady = std::copysign(g / contact.stiffness, dx);  // z_ss
-    stretch_ = steady + (stretch_ - steady) * std::exp(-contact.stiffness * std::abs(dx) / g);
+    stretch_ = steady + (stretch_ - steady) * repeatable::exp(-contact.stiffness * std::abs(dx) / g);
   }
   return contact.stiffness * stretch_ + contact.viscous * motion.velocity;
 }

@@ -7,6 +7,7 @@
 #include "anatomy/force_settings.h"
 #include "anatomy/tissue.h"
 #include "core/axial_motion.h"
+#include "core/repeatable.h"
 #include "forces/events.h"
 #include "forces/resistance_model.h"
 #include "forces/tissue_path.h"
@@ -28,7 +29,7 @@ ShaftContact shaft_contact(std::span<const anatomy::TissueId> layers, double lay
 // g(v) = Fc + (Fs - Fc) exp(-(v/vs)^2), N: the friction at steady speed without its viscous part.
 inline double stribeck(const ShaftContact& contact, double velocity, double stribeck_velocity) noexcept {
   const double ratio = velocity / stribeck_velocity;
-  return contact.coulomb + (contact.static_force - contact.coulomb) * std::exp(-ratio * ratio);
+  return contact.coulomb + (contact.static_force - contact.coulomb) * repeatable::exp(-ratio * ratio);
 }
 
 // Friction with memory between needle and tissue: Dahl (1968), and LuGre (Canudas de Wit et al. 1995) when Fs > Fc.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -16,7 +17,8 @@ constexpr double lowest_pressure = -0.099;  // MPa gauge: short of vacuum
 }  // namespace
 
 double tube_resistance(double viscosity, double length, double bore) {
-  return 128.0 * viscosity * length / (std::numbers::pi * std::pow(bore, 4));
+  const double square = bore * bore;
+  return 128.0 * viscosity * length / (std::numbers::pi * square * square);
 }
 
 Syringe::Syringe(const anatomy::TissueLibrary& library, const anatomy::SyringeSettings& settings, double dt)
@@ -34,7 +36,7 @@ Syringe::Syringe(const anatomy::TissueLibrary& library, const anatomy::SyringeSe
 double Syringe::relax(double pressure, double outside, double inflow, double compliance, double resistance,
                       double dt) noexcept {
   const double steady = outside + resistance * inflow;
-  return pressure - (steady - pressure) * std::expm1(-dt / (resistance * compliance));
+  return pressure - (steady - pressure) * repeatable::expm1(-dt / (resistance * compliance));
 }
 
 const SyringeState& Syringe::step(double plunger_speed, anatomy::TissueId tissue) noexcept {

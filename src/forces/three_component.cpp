@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/repeatable.h"
 #include "forces/device_stability.h"
 #include "forces/model_input.h"
 #include "forces/needle_law.h"
@@ -33,7 +34,7 @@ double ThreeComponent::friction(const AxialMotion& motion) noexcept {
   const double most = sliding ? side.coulomb : side.static_force;
   if (dx != 0.0) {
     const double steady = std::copysign(most / settings_.hold, dx);
-    const double faded = most > 0.0 ? std::exp(-settings_.hold * std::abs(dx) / most) : 0.0;
+    const double faded = most > 0.0 ? repeatable::exp(-settings_.hold * std::abs(dx) / most) : 0.0;
     stretch_ = steady + (stretch_ - steady) * faded;
   }
   return motion.depth * (settings_.hold * stretch_ + (sliding ? side.viscous * motion.velocity : 0.0));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
+
 namespace bodkin::forces {
 
 double VoigtLaw::elastic(double x) const noexcept {
@@ -35,7 +37,8 @@ double VoigtLaw::inverse(double force) const noexcept {
   // b^3 - b = c with b = a + 1, by the hyperbolic or the trigonometric root (Vieta).
   const double c = 6.0 * force / (k_ * dx_);
   const double y = 1.5 * std::numbers::sqrt3 * c;
-  const double third = y >= 1.0 ? std::cosh(std::acosh(y) / 3.0) : std::cos(std::acos(y) / 3.0);
+  const double third =
+      y >= 1.0 ? repeatable::cosh(repeatable::acosh(y) / 3.0) : repeatable::cos(repeatable::acos(y) / 3.0);
   return (2.0 / std::numbers::sqrt3 * third - 1.0) * dx_;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
+
 namespace bodkin::haptics {
 
 namespace {
@@ -20,7 +22,7 @@ double usual_way(double frequency, double time) noexcept {
   return std::min(1.0, 2.0 * frequency * time);
 }
 double way_at_a_turn(double frequency, double time) noexcept {
-  return 0.5 * (1.0 - std::cos(std::numbers::pi * std::min(1.0, frequency * time)));
+  return 0.5 * (1.0 - repeatable::cos(std::numbers::pi * std::min(1.0, frequency * time)));
 }
 }  // namespace
 

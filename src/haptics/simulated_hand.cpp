@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "core/repeatable.h"
+#include "core/rotation.h"
 
 namespace bodkin::haptics {
 
@@ -26,7 +28,7 @@ void check_range(const char* name, const char* unit, double value, double low, d
 Pose turned(const Vec3& turn, const Pose& pose) noexcept {
   Pose result = pose;
   const double angle = turn.norm();
-  if (angle > 1e-12) result.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.linear();
+  if (angle > 1e-12) result.linear() = rotation_about(turn / angle, angle) * pose.linear();
   return result;
 }
 
@@ -61,10 +63,10 @@ SimulatedHand::Transition SimulatedHand::transition(double mass, double stiffnes
   const double root = std::sqrt(std::abs(discriminant));
   double even = 1.0, odd = dt;  // critical damping
   if (root * dt > 1e-9) {
-    even = discriminant > 0.0 ? std::cosh(root * dt) : std::cos(root * dt);
-    odd = (discriminant > 0.0 ? std::sinh(root * dt) : std::sin(root * dt)) / root;
+    even = discriminant > 0.0 ? repeatable::cosh(root * dt) : repeatable::cos(root * dt);
+    odd = (discriminant > 0.0 ? repeatable::sinh(root * dt) : repeatable::sin(root * dt)) / root;
   }
-  const double fade = std::exp(-decay * dt);
+  const double fade = repeatable::exp(-decay * dt);
   return {fade * (even + decay * odd), fade * odd, -fade * square * odd, fade * (even - decay * odd)};
 }
 

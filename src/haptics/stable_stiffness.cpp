@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/repeatable.h"
+
 namespace bodkin::haptics {
 
 namespace {
@@ -28,14 +30,14 @@ double StableStiffness::along(const Vec3& direction, double spread) const noexce
   Eigen::Index least = 0;
   axis.minCoeff(&least);
   // The share is largest along the weakest axis; where that lies outside, on the rim of the cone.
-  if (std::abs(direction[least]) >= std::cos(spread)) return weakest();
+  if (std::abs(direction[least]) >= repeatable::cos(spread)) return weakest();
   double largest = share_of_axes(axis, direction);
   if (spread > 0.0) {
     const Vec3 aside = direction.unitOrthogonal(), other = direction.cross(aside);
     for (int i = 0; i < rim_lines; ++i) {
       const double turn = 2.0 * std::numbers::pi * i / rim_lines;
-      const Vec3 line =
-          std::cos(spread) * direction + std::sin(spread) * (std::cos(turn) * aside + std::sin(turn) * other);
+      const Vec3 line = repeatable::cos(spread) * direction +
+                        repeatable::sin(spread) * (repeatable::cos(turn) * aside + repeatable::sin(turn) * other);
       largest = std::max(largest, share_of_axes(axis, line));
     }
   }

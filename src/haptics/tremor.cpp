@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "core/repeatable.h"
 
 namespace bodkin::haptics {
 
@@ -14,7 +15,8 @@ Tremor::Tremor(double size, double dt, std::uint64_t seed) : axes_{} {
     for (Wave& wave : axis) {
       const double turn = 2.0 * std::numbers::pi * random.uniform(lowest, highest) * dt;
       const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
-      wave = {amplitude * std::cos(phase), amplitude * std::sin(phase), std::cos(turn), std::sin(turn)};
+      wave = {amplitude * repeatable::cos(phase), amplitude * repeatable::sin(phase), repeatable::cos(turn),
+              repeatable::sin(turn)};
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repeatable.h"
+
 namespace bodkin::haptics {
 
 namespace {
@@ -11,7 +13,8 @@ constexpr double smoothing = 0.010;  // s, of the velocity
 
 Control Weighing::step(const ControlInput& input) noexcept {
   const Vec3 position = input.needle.translation();
-  if (seen_) velocity_ += (1.0 - std::exp(-input.dt / smoothing)) * ((position - last_) / input.dt - velocity_);
+  if (seen_)
+    velocity_ += (1.0 - repeatable::exp(-input.dt / smoothing)) * ((position - last_) / input.dt - velocity_);
   last_ = position;
   seen_ = true;
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/rotation.h"
 
 namespace bodkin::haptics {
 
@@ -63,9 +64,9 @@ void WorkspaceMap::move_body(const Vec3& middle, const Mat3& rotation) noexcept 
 void WorkspaceMap::glide(double dt) noexcept {
   if (!body_moving_) return;
   const Vec3 offset = wanted_centre_ - settings_.centre;
-  const Eigen::AngleAxisd turn(Mat3(wanted_rotation_ * settings_.rotation.transpose()));
+  const AxisAngle turn = axis_angle_of(wanted_rotation_ * settings_.rotation.transpose());
   const double share = std::min({1.0, settings_.body_speed * dt / std::max(offset.norm(), 1e-12),
-                                 settings_.body_turn * dt / std::max(turn.angle(), 1e-12)});
+                                 settings_.body_turn * dt / std::max(turn.angle, 1e-12)});
   if (share >= 1.0) {
     settings_.centre = wanted_centre_;
     settings_.rotation = wanted_rotation_;
@@ -74,8 +75,7 @@ void WorkspaceMap::glide(double dt) noexcept {
   }
   settings_.centre += share * offset;
   // A quaternion between, so that many small turns do not wear the axes.
-  Eigen::Quaterniond next(
-      Mat3(Eigen::AngleAxisd(share * turn.angle(), turn.axis()).toRotationMatrix() * settings_.rotation));
+  const Eigen::Quaterniond next(Mat3(rotation_about(turn.axis, share * turn.angle) * settings_.rotation));
   settings_.rotation = next.normalized().toRotationMatrix();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/repeatable.h"
 #include "forces/bevel_tip.h"
 #include "forces/csf_flow.h"
 #include "forces/syringe.h"
@@ -73,7 +74,7 @@ class BevelTipPart final : public ForcePart {
   }
   // rad about the line, from the side at the entry.
   double roll_of(const Vec3& side) const noexcept {
-    return std::atan2(side.dot(direction_.cross(side_)), side.dot(side_));
+    return repeatable::atan2(side.dot(direction_.cross(side_)), side.dot(side_));
   }
 
   anatomy::BevelTipSettings settings_;

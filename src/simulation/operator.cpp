@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/repeatable.h"
+#include "core/rotation.h"
 
 namespace bodkin::simulation {
 
@@ -88,7 +90,7 @@ void Operator::draw_aim() noexcept {
 
 void Operator::feel(const OperatorSense& sense) noexcept {
   const double pushing_out = -sense.force.dot(needle_axis(sense.needle));
-  const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * feeling_cutoff * dt_);
+  const double share = 1.0 - repeatable::exp(-2.0 * std::numbers::pi * feeling_cutoff * dt_);
   force_ += share * (pushing_out - force_);
   advance_ = (sense.needle.translation() - path_.entry).dot(path_.direction());
   if (first_) phase_advance_ = advance_;
@@ -172,7 +174,7 @@ void Operator::enter(int phase) noexcept {
   if (now.tilt != 0.0) {
     // Towards the head: superior is +z in LPS.
     const Vec3 axis = aim_direction_.cross(Vec3::UnitZ());
-    if (axis.norm() > 1e-6) aim_direction_ = Eigen::AngleAxisd(now.tilt, axis.normalized()) * aim_direction_;
+    if (axis.norm() > 1e-6) aim_direction_ = rotation_about(axis.normalized(), now.tilt) * aim_direction_;
   }
   // To hold still or to pull back means to let go of the push: from where the hand is, not from where it strove to.
   if (now.speed <= 0.0 && !first_) {
@@ -200,7 +202,7 @@ void Operator::move() noexcept {
   entry_ =
       nearer(entry_, now.shift == 0.0 ? aim_entry_ : Vec3(aim_entry_ + now.shift * cephalad_), aiming_pace * dt_);
   direction_ = nearer(direction_, aim_direction_, turning_pace * dt_).normalized();
-  const double turn = 0.5 * now.twirl * std::sin(2.0 * std::numbers::pi * now.twirl_rate * phase_time_);
+  const double turn = 0.5 * now.twirl * repeatable::sin(2.0 * std::numbers::pi * now.twirl_rate * phase_time_);
   twirled_ += std::clamp(turn - twirled_, -twirling_pace * dt_, twirling_pace * dt_);
 }
 
@@ -213,7 +215,7 @@ Pose Operator::step(const OperatorSense& sense) noexcept {
   const Vec3 lean = script_.wander_angle * (wander_[2].next() * across_ + wander_[3].next() * along_);
   const Vec3 direction = (direction_ + lean).normalized();
   Pose wanted = needle_pose(entry_ + drift + intended_ * direction, direction);
-  if (twirled_ != 0.0) wanted.rotate(Eigen::AngleAxisd(twirled_, Vec3::UnitZ()));
+  if (twirled_ != 0.0) wanted.rotate(rotation_about(Vec3::UnitZ(), twirled_));
   return wanted;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/repeatable.h"
 #include "forces/needle_grasp.h"
 #include "forces/prony_relaxation.h"
 #include "forces/shaft_friction.h"
@@ -21,7 +22,7 @@ namespace {
 // rad about the line: where the shaft's side points, seen along the line.
 double roll_about(const Vec3& line, const Vec3& side) noexcept {
   const Vec3 right = line.unitOrthogonal();
-  return std::atan2(side.dot(line.cross(right)), side.dot(right));
+  return repeatable::atan2(side.dot(line.cross(right)), side.dot(right));
 }
 
 [[noreturn]] void refuse_part(std::string_view part, std::string_view model, const char* instead) {

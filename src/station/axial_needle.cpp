@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation.h"
+
 namespace bodkin::station {
 
 namespace {
@@ -19,7 +21,7 @@ Pose AxialNeedle::step(const Pose& hand, bool in_tissue, double dt) noexcept {
     needle_.translation() += axis.dot(moved) * axis;
     const Mat3 turn = hand.linear() * last_hand_.linear().transpose();
     const Vec3 about = 0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-    needle_.linear() = Eigen::AngleAxisd(axis.dot(about), axis) * needle_.linear();
+    needle_.linear() = rotation_about(axis, axis.dot(about)) * needle_.linear();
   } else {
     // Together with the hand, and towards it.
     needle_.translation() += moved;
@@ -28,10 +30,10 @@ Pose AxialNeedle::step(const Pose& hand, bool in_tissue, double dt) noexcept {
     const double distance = away.norm(), step = return_speed * dt;
     needle_.translation() =
         distance <= step ? Vec3(hand.translation()) : Vec3(needle_.translation() + step / distance * away);
-    const Eigen::AngleAxisd turn(Mat3(hand.linear() * needle_.linear().transpose()));
-    needle_.linear() = turn.angle() <= return_turn * dt
+    const AxisAngle turn = axis_angle_of(hand.linear() * needle_.linear().transpose());
+    needle_.linear() = turn.angle <= return_turn * dt
                            ? Mat3(hand.linear())
-                           : Mat3(Eigen::AngleAxisd(return_turn * dt, turn.axis()) * needle_.linear());
+                           : Mat3(rotation_about(turn.axis, return_turn * dt) * needle_.linear());
   }
   last_hand_ = hand;
   return needle_;

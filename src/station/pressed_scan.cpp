@@ -8,6 +8,8 @@
 #include "station/body_supervisor.h"
 #include <fmt/format.h>
 
+#include "core/repeatable.h"
+#include "core/rotation.h"
 #include "fem/solid/patient_body.h"
 #include "imaging/ultrasound/acoustic_volume.h"
 #include "imaging/warped_slice.h"
@@ -31,8 +33,8 @@ void go(Pose& face, const Pose& goal) {
   const double way = probe_speed * body_step_time;
   face.translation() += std::min(1.0, way / std::max(offset.norm(), 1e-12)) * offset;
   const Eigen::Quaterniond from(face.linear()), to(goal.linear());
-  const double angle = from.angularDistance(to), turn = probe_turn * body_step_time;
-  face.linear() = from.slerp(std::min(1.0, turn / std::max(angle, 1e-12)), to).normalized().toRotationMatrix();
+  const double angle = angle_between(from, to), turn = probe_turn * body_step_time;
+  face.linear() = interpolate(from, to, std::min(1.0, turn / std::max(angle, 1e-12))).normalized().toRotationMatrix();
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ fem::ProbeFace face_of(const anatomy::UltrasoundProbe& probe, const anatomy::Tet
   fem::ProbeFace face;
   const double along = probe.elements * probe.pitch;
   face.radius = probe.kind == anatomy::ProbeKind::curvilinear ? probe.radius : 0.0;
-  face.width = face.radius > 0.0 ? 2.0 * face.radius * std::sin(std::min(1.2, 0.5 * along / face.radius)) : along;
+  face.width =
+      face.radius > 0.0 ? 2.0 * face.radius * repeatable::sin(std::min(1.2, 0.5 * along / face.radius)) : along;
   face.width = std::clamp(face.width, 5.0, 200.0);
   double sum = 0.0;
   const std::size_t stride = std::max<std::size_t>(1, mesh.elements.size() / edges_judged);
@@ -141,7 +144,7 @@ const imaging::UltrasoundFrame& PressedScan::image(const Pose& probe,
   const imaging::SlicePlane grid = imaging::warp_grid(plane_of_image(probe), pressed_spacing);
   places_ = imaging::displacements_of_places(grid, field_->displacements(grid, nodes_));
   for (std::size_t i = 0; i + 2 < places_.size(); i += 3)
-    most_ = std::max(most_, static_cast<double>(std::hypot(places_[i], places_[i + 1], places_[i + 2])));
+    most_ = std::max(most_, static_cast<double>(Eigen::Map<const Eigen::Vector3f>(places_.data() + i).norm()));
   const imaging::ScanDisplacement moved{frame_.corner, grid.pixel, grid.width, grid.height, places_};
   return frame_ = machine_.image(probe, needle, moved);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/repeatable.h"
+
 namespace bodkin::station {
 
 namespace {
@@ -20,7 +22,9 @@ constexpr double forgetting = 0.98;        // what is left of the stiffness afte
 }  // namespace
 
 ProbeReaction::ProbeReaction(double dt, double device_stiffness) noexcept
-    : dt_(dt), stiffness_(std::min(firmest_spring, device_stiffness)), glide_(1.0 - std::exp(-dt / glide_time)) {}
+    : dt_(dt),
+      stiffness_(std::min(firmest_spring, device_stiffness)),
+      glide_(1.0 - repeatable::exp(-dt / glide_time)) {}
 
 // From the whole displacement since contact and from its last increment; estimates decay slowly. A needle's hand
 // pushes while the probe stands still, too, so its part says nothing about an increment.
@@ -38,7 +42,7 @@ void ProbeReaction::find_stiffness(const Vec3& axis, const fem::ProbeReading& re
 // What a step of the body has brought.
 void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   steps_ = reading.steps;
-  glide_ = 1.0 - std::exp(-dt_ / std::max(glide_time, waited_));
+  glide_ = 1.0 - repeatable::exp(-dt_ / std::max(glide_time, waited_));
   waited_ = 0.0;
   if (!reading.on_probe.force.allFinite() || !reading.probe.allFinite()) return;
   const bool meets = reading.nodes > 0;

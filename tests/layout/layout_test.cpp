@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -154,6 +155,27 @@ TEST(Layout, heavy_headers_stay_in_source_files_of_the_modules_that_own_them) {
       for (const Rule& rule : rules) {
         if (!std::regex_match(include.target, rule.header)) continue;
         EXPECT_TRUE(std::regex_match(below, rule.owner)) << where(include) << " includes " << include.target;
+      }
+    }
+  }
+}
+
+// Functions of the C library, and rotations of Eigen's that call them, have other bits on another processor. What is
+// computed from them here is shown only, or was read from a device and is in the session.
+TEST(Layout, what_a_session_repeats_calls_no_function_that_depends_on_the_processor) {
+  const std::set<std::string> exempt = {"haptics/calibration.cpp",   "haptics/drivers/spacemouse.cpp",
+                                        "station/device_choice.cpp", "station/live_scan.cpp",
+                                        "station/scan_thread.cpp",   "fem/display_field.cpp"};
+  const std::regex pattern(
+      R"(std::(a?(sin|cos|tan)h?|atan2|exp[2m1]*|log(2|10|1p)?|pow|cbrt|hypot)\(|AngleAxis|\.slerp\(|angularDistance)");
+  for (const char* module : {"core", "anatomy", "forces", "fem", "haptics", "simulation", "session", "station"}) {
+    for (const fs::path& file : sources(repository / "src" / module)) {
+      if (exempt.contains(fs::relative(file, repository / "src").string())) continue;
+      std::istringstream text(read_text(file));
+      std::string line;
+      for (int number = 1; std::getline(text, line); ++number) {
+        EXPECT_FALSE(std::regex_search(line, pattern)) << fs::relative(file, repository).string() << ":" << number
+                                                       << ": take core/repeatable.h or core/rotation.h";
       }
     }
   }

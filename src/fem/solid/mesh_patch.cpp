@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "core/repeatable.h"
+
 namespace bodkin::fem {
 
 namespace {
@@ -29,7 +31,7 @@ double signed_volume(const std::vector<Vec3>& nodes, const Element& e) noexcept 
 }  // namespace
 
 double edge_of_volume(double volume) noexcept {
-  return std::cbrt(6.0 * std::sqrt(2.0) * volume);
+  return repeatable::cbrt(6.0 * std::sqrt(2.0) * volume);
 }
 
 MeshPatch patch_around(const MeshView& whole, const Vec3& centre, double radius) {

@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include "core/repeatable.h"
+
 namespace bodkin::fem {
 
 namespace {
@@ -55,7 +57,7 @@ class PointFinder::Grid {
       high_ = high_.cwiseMax(node);
     }
     const Vec3 extent = (high_ - low_).cwiseMax(1e-6);
-    cell_ = std::cbrt(extent.prod() * elements_a_cell / static_cast<double>(mesh.elements.size()));
+    cell_ = repeatable::cbrt(extent.prod() * elements_a_cell / static_cast<double>(mesh.elements.size()));
     cell_ = std::max(cell_, extent.maxCoeff() / most_cells_along);
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       size_[static_cast<std::size_t>(axis)] = static_cast<int>(extent[axis] / cell_) + 1;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/repeatable.h"
 #include "haptics/drivers/driver_adapter.h"
 #include "haptics/drivers/driver_settings.h"
 #include "haptics/drivers/vendor_frame.h"
@@ -66,7 +67,8 @@ Plan plan_of(const char* text) {
   plan.lateral = settings.number("lateral_mm", plan.lateral, -200.0, 200.0);
   const double tilt = radians(settings.number("tilt_deg", 0.0, -80.0, 80.0));
   const double side = radians(settings.number("side_deg", 0.0, -80.0, 80.0));
-  plan.axis = {std::sin(side), std::cos(side) * std::sin(tilt), -std::cos(side) * std::cos(tilt)};
+  plan.axis = {repeatable::sin(side), repeatable::cos(side) * repeatable::sin(tilt),
+               -repeatable::cos(side) * repeatable::cos(tilt)};
   plan.tremor = settings.number("tremor_mm", plan.tremor, 0.0, 1.0);
   plan.seed = static_cast<std::uint64_t>(settings.number("seed", 1.0, 0.0, 1e9));
   plan.hand.stiffness = settings.number("stiffness_N_mm", plan.hand.stiffness, 0.05, 20.0);
