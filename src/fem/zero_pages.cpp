@@ -1,5 +1,7 @@
 #include "fem/zero_pages.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -9,19 +11,41 @@
 
 namespace bodkin::fem {
 
-ZeroPages::ZeroPages(std::size_t count) : bytes_(count * sizeof(double)) {
+namespace {
+
+constexpr std::size_t cache_line = 64;  // bytes
+constexpr std::size_t little = std::size_t{8}
+                               << 20;  // bytes: the heap gives them again and again without the machine
+
+double* pages_of_machine(std::size_t bytes) noexcept {
+  void* const pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (pages == MAP_FAILED) return nullptr;
+  prefer_large_pages(pages, bytes);
+  return static_cast<double*>(pages);
+}
+
+double* zeros_of_heap(std::size_t bytes) noexcept {
+  void* const numbers = std::aligned_alloc(cache_line, bytes);
+  return static_cast<double*>(numbers == nullptr ? nullptr : std::memset(numbers, 0, bytes));
+}
+
+}  // namespace
+
+ZeroPages::ZeroPages(std::size_t count)
+    : bytes_((count * sizeof(double) + cache_line - 1) / cache_line * cache_line) {
   if (bytes_ == 0) return;
-  void* const pages = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (pages == MAP_FAILED) {
+  numbers_ = bytes_ < little ? zeros_of_heap(bytes_) : pages_of_machine(bytes_);
+  if (numbers_ == nullptr) {
     throw SystemError("the machine refused " + std::to_string(bytes_) +
                       " bytes of memory; end other programs, or take a smaller body");
   }
-  prefer_large_pages(pages, bytes_);
-  numbers_ = static_cast<double*>(pages);
 }
 
 ZeroPages::~ZeroPages() {
-  if (numbers_ != nullptr) munmap(numbers_, bytes_);
+  if (bytes_ < little)
+    std::free(numbers_);
+  else if (numbers_ != nullptr)
+    munmap(numbers_, bytes_);
 }
 
 ZeroPages::ZeroPages(ZeroPages&& other) noexcept

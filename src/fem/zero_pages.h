@@ -6,8 +6,8 @@
 
 namespace bodkin::fem {
 
-// Many numbers, all zero at first. The machine gives the pages when they are first written to, large ones (2 MiB)
-// where it has them, and takes them back at the end.
+// Many numbers, all zero at first, at a multiple of 64 bytes. Where they are many the machine gives the pages when
+// they are first written to, large ones (2 MiB) where it has them, and takes them back at the end.
 class ZeroPages {
  public:
   ZeroPages() = default;

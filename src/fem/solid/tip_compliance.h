@@ -23,9 +23,10 @@ std::vector<PointInMesh> places_of(const TipDisk& disk, const PointFinder& finde
 // mm/N, 3 x 3, symmetric, and positive semidefinite where displacements are linear: by how much more the disk moves
 // by a force on it than its mesh says, which near a force is too stiff by about as much as its elements are larger
 // than the disk. The elements within two edges of the disk are cut into eight again and again, with the border of
-// this patch held, until their edge is below 0.35 radii, or below one radius where displacements are quadratic; each
-// time the compliance gained is added, and in the end half of the last gain, or a third, for what a still finer mesh
-// would add. `finder`: of the mesh. Zero in a mesh that is as fine already.
+// this patch held, until their edge is below one radius; each time the compliance gained is added. Then displacements
+// in the patch become quadratic where they are not, and a quarter of what that gains is added for what a still finer
+// mesh would; where they were quadratic already, a third of the last gain is. `finder`: of the mesh. Zero in a mesh
+// that is as fine already: edges below one radius where displacements are quadratic, below 0.35 elsewhere.
 Mat3 refinement_gain(const MeshView& whole, const PointFinder& finder, const ElasticMaterials& materials,
                      const TipDisk& disk);
 
