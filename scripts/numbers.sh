@@ -8,13 +8,20 @@
 source "$(dirname "$0")/setup.sh"
 
 programs=(tick_bench models_bench servo_bench haply_bench run_bench fem_tick_bench fem_body_bench fem_preparation_bench
-          corotational_bench ultrasound_bench case_load_bench scene_bench
+          patient_stream_bench corotational_bench ultrasound_bench case_load_bench scene_bench
           training_bench training_store_bench)
 results=build/numbers
 
 if [ "${1:-}" != --print ]; then
-  build_preset release "${programs[@]}"
+  build_preset release "${programs[@]}" bodkin bodkin-mesher
   rm -rf "$results" && mkdir -p "$results"
+  # Patients for patient_stream_bench.
+  for nodes in 20000 ${BODKIN_LARGE_BODIES:+100000}; do
+    build/release/bin/bodkin --quiet case synthesize lumbar "$results/lumbar_$nodes" >&2
+    build/release/bin/bodkin --quiet case mesh "$results/lumbar_$nodes" --nodes "$nodes" >&2
+    BODKIN_MESHED_PATIENTS="${BODKIN_MESHED_PATIENTS:+$BODKIN_MESHED_PATIENTS:}$results/lumbar_$nodes"
+  done
+  export BODKIN_MESHED_PATIENTS
   for program in "${programs[@]}"; do
     say "$program"
     "build/release/bench/$program" --benchmark_out="$results/$program.json" --benchmark_out_format=json >&2
@@ -67,6 +74,7 @@ fem_preparation_bench:only_plan order of elimination, nodes along an edge
 fem_preparation_bench:only_factorise factorisation and condensation, nodes along an edge
 fem_preparation_bench:field_of_corridor displacement of all nodes, nodes along an edge
 fem_preparation_bench:contact_body a body that a needle can enter anywhere, nodes along an edge
+patient_stream_bench:enter_patient contact points of a line, on one core, synthetic patient
 corotational_bench:step one step, nodes along an edge
 ultrasound_bench:paper feature set of Sutherland et al. 2013, 300 x 300, one thread
 ultrasound_bench:everything everything, 300 x 300, threads
@@ -121,6 +129,7 @@ heading() {
     fem_tick_bench) echo "Needle in a deformable body" ;;
     fem_body_bench) echo "Deformable body: preparation and display by size" ;;
     fem_preparation_bench) echo "Deformable body: the steps of its preparation" ;;
+    patient_stream_bench) echo "Deformable body: a needle enters the patient anywhere" ;;
     corotational_bench) echo "Moving body: one step" ;;
     ultrasound_bench) echo "Ultrasound: one image" ;;
     case_load_bench) echo "Opening a case: the lumbar torso of 1 mm" ;;
@@ -141,6 +150,12 @@ NOTE
       ;;
     fem_body_bench | fem_preparation_bench) cat << 'NOTE'
 Boxes of 100 mm with a slab of ligament, condensed to 1,000 nodes.
+
+NOTE
+      ;;
+    patient_stream_bench) cat << 'NOTE'
+40 lines that nobody planned, through the skin within 25 mm of the planned entry and up to 40 degrees from the planned direction,
+as deep as the planned path and 15 mm more. Points are late when a needle that comes at 50 mm/s and asked 50 mm before the skin is there first.
 
 NOTE
       ;;
