@@ -35,10 +35,7 @@ std::size_t place_of(const FitModel& model, const std::string& name) {
 
 double within_range(const FitModel& model, std::size_t place, double value, const char* option) {
   const FitParameter& one = model.parameters[place];
-  if (!(value >= one.low && value <= one.high)) {
-    throw InputError(fmt::format("{}: {} is {:g} {}, expected {:g} to {:g}", option, one.name, value, one.unit,
-                                 one.low, one.high));
-  }
+  check_range(option, one.name, value, {one.low, one.high}, one.unit);
   return value;
 }
 
@@ -92,8 +89,9 @@ std::vector<bool> counting(const MeasuredCurve& curve, const FitRequest& request
 
 // Of a stack of `tracking_wall`: each layer's force begins with the median of what was measured in its deeper half on
 // the way in. From a force that is never reached there is no slope to follow.
-void begin_layers(const MeasuredCurve& curve, FitRequest& request) {
+void begin_layers(const MeasuredCurve& curve, const FitModel& model, FitRequest& request) {
   if (request.model != "tracking_wall") return;
+  constexpr double least = 0.01;  // N, where the middle of a layer measured nothing
   const double deepest = *std::max_element(curve.depth.begin(), curve.depth.end());
   for (std::size_t layer = 0; layer < request.layers.size(); ++layer) {
     const std::string name = fmt::format("force_{}", layer + 1);
@@ -109,7 +107,7 @@ void begin_layers(const MeasuredCurve& curve, FitRequest& request) {
     if (given || forces.empty()) continue;
     const auto middle = forces.begin() + static_cast<std::ptrdiff_t>(forces.size() / 2);
     std::nth_element(forces.begin(), middle, forces.end());
-    request.start.emplace_back(name, std::clamp(*middle, 0.01, 50.0));
+    request.start.emplace_back(name, std::clamp(*middle, least, model.parameters[place_of(model, name)].high));
   }
 }
 
@@ -373,7 +371,7 @@ CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& ask
   FitRequest request = asked;
   const FitModel model = request.layers.empty() ? fit_model(request.model) : fit_stack(request.model, request.layers);
   const MeasuredCurve curve = joined(curves);
-  begin_layers(curve, request);
+  begin_layers(curve, model, request);
   const std::vector<bool> counts = counting(curve, request);
   std::vector<NeedleHistory> histories;
   for (const MeasuredCurve& one : curves) histories.push_back(history_of(one, request, model));

@@ -44,7 +44,6 @@ bool has_layers(std::string_view name) {
 
 FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   constexpr std::size_t most = 30;
-  constexpr double deepest = 500.0;  // mm
   const Stack stack = stack_of(fit_model(name).name);
   if (stack == nullptr) {
     throw InputError(
@@ -55,9 +54,9 @@ FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   if (tops.front() != 0.0)
     throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));
   for (std::size_t i = 1; i < tops.size(); ++i) {
-    if (!(tops[i] > tops[i - 1] && tops[i] <= deepest))
+    if (!(tops[i] > tops[i - 1] && tops[i] <= deepest_layer))
       throw InputError(fmt::format("--layers has {:g} mm after {:g}, expected depths that rise, at most {:g}",
-                                   tops[i], tops[i - 1], deepest));
+                                   tops[i], tops[i - 1], deepest_layer));
   }
   if (tops.size() > most)
     throw InputError(fmt::format("--layers has {} depths, expected at most {}", tops.size(), most));

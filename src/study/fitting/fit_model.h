@@ -7,20 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "study/fitting/fit_parameter.h"
 #include "study/fitting/needle_history.h"
 
-#include "io/xml_document.h"
-
 namespace bodkin::study {
-
-// One number of a model that a curve may determine.
-struct FitParameter {
-  std::string name;
-  std::string unit;
-  double low = 0.0, high = 0.0;  // the model's own range
-  double usual = 0.0;            // value where nothing better is known; also its size for scaling, if the guess is 0
-  bool fitted = true;            // false: kept unless the user frees it
-};
 
 // Features of a curve before anything is fitted.
 struct CurveShape {
@@ -68,6 +58,8 @@ const FitModel& fit_model(std::string_view name);
 
 // Whether fit_stack() has a model of this name.
 bool has_layers(std::string_view name);
+
+inline constexpr double deepest_layer = 500.0;  // mm, where the last one begins: no measured curve is longer
 
 // A model of a stack whose layers begin at `tops` (mm, the first 0, rising): values for each layer, what the layers
 // share once. Throws InputError for a model that knows no layers, and for depths that are none.

@@ -45,18 +45,39 @@ void simulate_line(const std::vector<anatomy::TissueProperties>& tissues, double
   }
 }
 
-io::XmlElement layered_element(const anatomy::LayeredTissue& one) {
+using Tissue = anatomy::LayeredTissue;
+
+io::XmlElement layered_element(const Tissue& one) {
   io::XmlElement element;
   element.name = "layered";
-  element.children.push_back(numbers_element("viscoelastic", {{"stiffness_N_per_mm", one.stiffness},
-                                                              {"viscosity_N_s_per_mm", one.viscosity},
-                                                              {"element_spacing_mm", one.element_spacing},
-                                                              {"break_force_N", one.break_force},
-                                                              {"shaft_stiffness_N_per_mm2", one.shaft_stiffness},
-                                                              {"shaft_spacing_mm", one.shaft_spacing},
-                                                              {"static_friction_N_per_mm", one.static_friction},
-                                                              {"dynamic_friction_N_per_mm", one.dynamic_friction}}));
+  element.children.push_back(element_of(std::string(alternative_of(one)), one, &Tissue::stiffness, &Tissue::viscosity,
+                                        &Tissue::element_spacing, &Tissue::break_force, &Tissue::shaft_stiffness,
+                                        &Tissue::shaft_spacing, &Tissue::static_friction, &Tissue::dynamic_friction));
   return element;
+}
+
+// A tissue's numbers are above 0, a fit's range includes its end; and a tissue without a number has none by default,
+// which has no size.
+FitParameter stiffness_parameter() {
+  return fit_parameter(&Tissue::stiffness, {.usual = 0.05, .least = 1e-6});
+}
+FitParameter break_force_parameter() {
+  return fit_parameter(&Tissue::break_force, {.usual = 1.0, .least = 0.001});
+}
+FitParameter shaft_stiffness_parameter() {
+  return fit_parameter(&Tissue::shaft_stiffness, {.usual = 0.02, .least = 1e-6});
+}
+// Static over dynamic friction, which no table declares.
+FitParameter static_ratio_parameter() {
+  return {.name = "static_ratio", .low = 1.0, .high = 2.0, .usual = 1.2, .fitted = false};
+}
+// Half of what a tissue may have, for its static friction is up to twice as large.
+FitParameter dynamic_friction_parameter() {
+  const double most = fit_parameter(&Tissue::static_friction).high / static_ratio_parameter().high;
+  return fit_parameter(&Tissue::dynamic_friction, {.usual = 0.02, .most = most});
+}
+FitParameter viscosity_parameter() {
+  return fit_parameter(&Tissue::viscosity, {.usual = 0.001});
 }
 
 namespace layered {
@@ -71,7 +92,7 @@ enum : std::size_t {
   static_ratio,
   contact
 };
-constexpr double layer = 0.5;  // mm
+constexpr double layer = anatomy::LayeredSettings{}.layer;  // mm
 
 anatomy::LayeredTissue tissue_of(std::span<const double> p) {
   anatomy::LayeredTissue one;
@@ -122,8 +143,11 @@ FittedElements elements(std::span<const double> p) {
 namespace layered_stack {
 enum : std::size_t { shaft_ratio, viscosity_ratio, spacing, shaft_spacing, static_ratio, contact };
 constexpr std::size_t shared = 6;
-constexpr double layer = 0.1;                                     // mm, the finest that a case has
-constexpr double least_stiffness = 1e-6, most_stiffness = 100.0;  // N/mm^2, of a tissue's grip on the shaft
+
+// mm, the finest between samples that a case may have
+double layer() {
+  return fit_parameter(&anatomy::LayeredSettings::layer).low;
+}
 
 std::size_t layers(std::span<const double> p) {
   return (p.size() - shared) / 4;
@@ -145,7 +169,8 @@ anatomy::LayeredTissue tissue_of(std::span<const double> p, std::size_t which) {
   one.break_force = p[n + which];
   one.dynamic_friction = p[2 * n + which];
   one.static_friction = of_all(p, static_ratio) * one.dynamic_friction;
-  one.shaft_stiffness = std::clamp(of_all(p, shaft_ratio) * one.dynamic_friction, least_stiffness, most_stiffness);
+  const FitParameter grip = shaft_stiffness_parameter();
+  one.shaft_stiffness = std::clamp(of_all(p, shaft_ratio) * one.dynamic_friction, grip.low, grip.high);
   one.shaft_spacing = of_all(p, shaft_spacing);
   return one;
 }
@@ -158,7 +183,7 @@ void simulate(std::span<const double> p, const NeedleHistory& history, std::span
     tissues[i].layered = tissue_of(p, i);
   }
   const std::span<const double> tops = p.subspan(3 * layers(p) + shared);
-  simulate_line(tissues, layer, of_all(p, contact), history, force, [&](double depth) {
+  simulate_line(tissues, layer(), of_all(p, contact), history, force, [&](double depth) {
     const auto below = std::upper_bound(tops.begin() + 1, tops.end(), depth);
     return static_cast<anatomy::TissueId>(first_layer + (below - tops.begin() - 1));
   });
@@ -196,15 +221,11 @@ FittedElements elements(std::span<const double> p) {
 
 FitModel layered_fit() {
   return {.name = "layered",
-          .parameters = {{"stiffness", "N/mm", 1e-6, 100.0, 0.05},
-                         {"break_force", "N", 0.001, 100.0, 1.0},
-                         {"dynamic_friction", "N/mm", 0.0, 5.0, 0.02},
-                         {"shaft_stiffness", "N/mm^2", 1e-6, 100.0, 0.02},
-                         {"viscosity", "N s/mm", 0.0, 10.0, 0.001},
-                         {"element_spacing", "mm", 0.05, 100.0, 1.0, false},
-                         {"shaft_spacing", "mm", 0.05, 100.0, 0.5, false},
-                         {"static_ratio", "", 1.0, 2.0, 1.2, false},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .parameters = {stiffness_parameter(), break_force_parameter(), dynamic_friction_parameter(),
+                         shaft_stiffness_parameter(), viscosity_parameter(),
+                         fit_parameter(&Tissue::element_spacing, {.fitted = false}),
+                         fit_parameter(&Tissue::shaft_spacing, {.fitted = false}), static_ratio_parameter(),
+                         contact_parameter()},
           .yields = {layered::break_force},
           .contact = layered::contact,
           .jumpy = {layered::shaft_stiffness, layered::dynamic_friction},
@@ -217,12 +238,12 @@ FitModel layered_fit() {
 
 FitModel layered_stack_fit(std::span<const double> tops) {
   for (const double top : tops) {
-    const double steps = top / layered_stack::layer;
+    const double steps = top / layered_stack::layer();
     if (std::abs(steps - std::round(steps)) > 1e-6) {
       throw InputError(fmt::format(
           "--layers has {:g} mm, expected multiples of {:g} mm for layered, which knows tissues no finer; "
           "give {:g}",
-          top, layered_stack::layer, std::round(steps) * layered_stack::layer));
+          top, layered_stack::layer(), std::round(steps) * layered_stack::layer()));
     }
   }
   const std::size_t n = tops.size();
@@ -235,15 +256,17 @@ FitModel layered_stack_fit(std::span<const double> tops) {
                     .guess = layered_stack::guess,
                     .elements = layered_stack::elements};
   for (std::size_t i = 0; i < n; ++i) model.yields.push_back(n + i);
-  add_for_layers(model, n, {"stiffness", "N/mm", 1e-6, 100.0, 0.05});
-  add_for_layers(model, n, {"break_force", "N", 0.001, 100.0, 1.0});
-  add_for_layers(model, n, {"dynamic_friction", "N/mm", 0.0, 5.0, 0.02});
+  add_for_layers(model, n, stiffness_parameter());
+  add_for_layers(model, n, break_force_parameter());
+  add_for_layers(model, n, dynamic_friction_parameter());
   model.parameters.push_back({"shaft_ratio", "1/mm", 0.01, 1000.0, 1.5});
-  model.parameters.push_back({"viscosity_ratio", "s", 0.0, 0.1, 0.02});
-  model.parameters.push_back({"element_spacing", "mm", 0.05, 100.0, 1.0, false});
-  model.parameters.push_back({"shaft_spacing", "mm", 0.05, 100.0, 0.5, false});
-  model.parameters.push_back({"static_ratio", "", 1.0, 2.0, 1.2, false});
-  model.parameters.push_back({"contact", "mm", -1000.0, 1000.0, 0.0, false});
+  // What the stiffest tissue may have.
+  model.parameters.push_back(
+      {"viscosity_ratio", "s", 0.0, viscosity_parameter().high / stiffness_parameter().high, 0.02});
+  model.parameters.push_back(fit_parameter(&Tissue::element_spacing, {.fitted = false}));
+  model.parameters.push_back(fit_parameter(&Tissue::shaft_spacing, {.fitted = false}));
+  model.parameters.push_back(static_ratio_parameter());
+  model.parameters.push_back(contact_parameter());
   add_tops(model, tops);
   return model;
 }

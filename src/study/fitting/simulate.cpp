@@ -8,14 +8,6 @@
 
 namespace bodkin::study {
 
-io::XmlElement numbers_element(const std::string& name,
-                               std::initializer_list<std::pair<const char*, double>> numbers) {
-  io::XmlElement element;
-  element.name = name;
-  for (const auto& [attribute, value] : numbers) element.attributes.emplace_back(attribute, fmt::format("{}", value));
-  return element;
-}
-
 double cubic_per_stiffness(double spacing, double depth) {
   return forces::VoigtLaw(forces::VoigtSum::cubic, 1.0, 0.0, spacing).elastic(std::max(depth, 0.01));
 }
@@ -27,10 +19,17 @@ void add_for_layers(FitModel& model, std::size_t layers, const FitParameter& one
   }
 }
 
+FitParameter contact_parameter() {
+  return {.name = "contact", .unit = "mm", .low = -1000.0, .high = 1000.0, .fitted = false};
+}
+
 void add_tops(FitModel& model, std::span<const double> tops) {
-  constexpr double deepest = 500.0;  // mm
-  for (std::size_t i = 0; i < tops.size(); ++i)
-    model.parameters.push_back({fmt::format("from_{}", i + 1), "mm", 0.0, deepest, tops[i], false});
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    FitParameter top = fit_parameter(&anatomy::TrackingWallDepthLayer::from,
+                                     {.usual = tops[i], .most = deepest_layer, .fitted = false});
+    top.name += fmt::format("_{}", i + 1);
+    model.parameters.push_back(std::move(top));
+  }
 }
 
 }  // namespace bodkin::study

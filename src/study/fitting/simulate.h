@@ -1,13 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <span>
-#include <string>
-#include <utility>
 
 #include "study/fitting/fit_model.h"
 
+#include "anatomy/resistance_settings.h"
 #include "anatomy/tissue.h"
 #include "forces/events.h"
 
@@ -30,10 +28,6 @@ void simulate_axial(const NeedleHistory& history, double contact, std::span<doub
   }
 }
 
-// An element of numbers in the form of the tissue library and of case files: the shortest text that reads back alike.
-io::XmlElement numbers_element(const std::string& name,
-                               std::initializer_list<std::pair<const char*, double>> numbers);
-
 // The force at a depth (mm, taken as 0.01 at least) of Voigt's cubic law with a stiffness of 1 N/mm: for the
 // stiffness that a force at a depth implies.
 double cubic_per_stiffness(double spacing, double depth);
@@ -42,10 +36,18 @@ inline constexpr anatomy::TissueId first_layer = 32;  // ids of a stack's tissue
 
 // A value for each layer, as parameters `name_1`, `name_2` ...
 void add_for_layers(FitModel& model, std::size_t layers, const FitParameter& one);
+// Friction of a shaft in tissue, where nothing better is known: the tables' default is none, which has no size.
+inline const anatomy::KarnoppFriction usual_friction = anatomy::ThreeComponentSettings{}.inwards;
+
+// Depth at which the needle meets the tissue: no setting of a model, for a case has its skin there.
+FitParameter contact_parameter();
 // Where each layer begins, as parameters `from_1`, `from_2` ..., always kept.
 void add_tops(FitModel& model, std::span<const double> tops);
 
-// What models do that have no limit of the device: it would bend the curve of the tissue.
-inline constexpr double no_limit = 100.0;  // N, the highest that a setting allows
+// The highest `limit_N` that a model's settings allow, N: a limit of the device would bend the curve of the tissue.
+template <Parameterized Settings>
+double no_limit() {
+  return fit_parameter(&Settings::limit).high;
+}
 
 }  // namespace bodkin::study

@@ -36,20 +36,30 @@ std::span<const double> tops(std::span<const double> p) {
   return p.subspan(shared + 2 * layers(p), layers(p));
 }
 
-void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  anatomy::DepthProfileSettings settings;
+using Settings = anatomy::DepthProfileSettings;
+using Tissue = anatomy::DepthProfileTissue;
+
+Settings settings_of(std::span<const double> p) {
+  Settings settings;
   settings.skin_stiffness = p[skin_stiffness];
   settings.puncture_depth = p[puncture_depth];
   settings.trailing = trailing(p);
-  settings.limit = no_limit;
+  settings.limit = no_limit<Settings>();
+  return settings;
+}
+
+Tissue tissue_of(std::span<const double> p, std::size_t layer) {
+  return {.kind = anatomy::DepthProfileKind::soft, .stiffness = p[first + layer], .slope = slopes(p)[layer]};
+}
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
   std::vector<anatomy::TissueProperties> tissues(layers(p));
   for (std::size_t i = 0; i < tissues.size(); ++i) {
     tissues[i].id = static_cast<anatomy::TissueId>(first_layer + i);
     tissues[i].name = fmt::format("layer_{}", i + 1);
-    tissues[i].depth_profile = {
-        .kind = anatomy::DepthProfileKind::soft, .stiffness = p[first + i], .slope = slopes(p)[i]};
+    tissues[i].depth_profile = tissue_of(p, i);
   }
-  forces::DepthProfile model(anatomy::TissueLibrary(std::move(tissues)), settings, history.dt);
+  forces::DepthProfile model(anatomy::TissueLibrary(std::move(tissues)), settings_of(p), history.dt);
   const std::span<const double> begins = tops(p);
   simulate_axial(
       history, contact(p), force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -74,15 +84,11 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  FittedElements result{.resistance =
-                            numbers_element("depth_profile", {{"skin_stiffness_N_per_mm", p[skin_stiffness]},
-                                                              {"puncture_depth_mm", p[puncture_depth]},
-                                                              {"trailing_mm", trailing(p)}})};
+  FittedElements result{.resistance = element_of("depth_profile", settings_of(p), &Settings::skin_stiffness,
+                                                 &Settings::puncture_depth, &Settings::trailing)};
   for (std::size_t i = 0; i < layers(p); ++i) {
-    io::XmlElement tissue =
-        numbers_element("depth_profile", {{"stiffness_N_per_mm", p[first + i]}, {"slope_N_per_mm2", slopes(p)[i]}});
-    tissue.attributes.insert(tissue.attributes.begin(), {"kind", "soft"});
-    result.tissues.push_back(std::move(tissue));
+    result.tissues.push_back(
+        element_of("depth_profile", tissue_of(p, i), &Tissue::kind, &Tissue::stiffness, &Tissue::slope));
   }
   return result;
 }
@@ -94,12 +100,27 @@ FittedElements elements(std::span<const double> p) {
 namespace friction_stack {
 enum : std::size_t { stiffness, viscous, static_ratio, stribeck, contact };
 constexpr std::size_t shared = 5;
+using Settings = anatomy::ShaftFrictionSettings;
+using Tissue = anatomy::ShaftFrictionTissue;
 
 std::size_t layers(std::span<const double> p) {
   return (p.size() - shared) / 2;
 }
 double of_all(std::span<const double> p, std::size_t which) {
   return p[layers(p) + which];
+}
+
+// A product that a tissue library may hold.
+double declared(double Tissue::*member, double value) {
+  const FitParameter parameter = fit_parameter(member);
+  return std::clamp(value, parameter.low, parameter.high);
+}
+
+Tissue tissue_of(std::span<const double> p, std::size_t layer) {
+  return {.coulomb = p[layer],
+          .static_force = declared(&Tissue::static_force, of_all(p, static_ratio) * p[layer]),
+          .stiffness = declared(&Tissue::stiffness, of_all(p, stiffness) * p[layer]),
+          .viscous = declared(&Tissue::viscous, of_all(p, viscous) * p[layer])};
 }
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
@@ -129,13 +150,11 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  FittedElements result{.resistance =
-                            numbers_element("shaft_friction", {{"stribeck_velocity_mm_per_s", of_all(p, stribeck)}})};
+  FittedElements result{.resistance = element_of("shaft_friction", Settings{.stribeck_velocity = of_all(p, stribeck)},
+                                                 &Settings::stribeck_velocity)};
   for (std::size_t i = 0; i < layers(p); ++i) {
-    result.tissues.push_back(numbers_element("shaft_friction", {{"coulomb_N_per_mm", p[i]},
-                                                                {"static_N_per_mm", of_all(p, static_ratio) * p[i]},
-                                                                {"stiffness_N_per_mm2", of_all(p, stiffness) * p[i]},
-                                                                {"viscous_N_s_per_mm2", of_all(p, viscous) * p[i]}}));
+    result.tissues.push_back(element_of("shaft_friction", tissue_of(p, i), &Tissue::coulomb, &Tissue::static_force,
+                                        &Tissue::stiffness, &Tissue::viscous));
   }
   return result;
 }
@@ -144,19 +163,20 @@ FittedElements elements(std::span<const double> p) {
 }  // namespace
 
 FitModel depth_profile_stack_fit(std::span<const double> tops) {
-  FitModel model = {
-      .name = "depth_profile",
-      .parameters = {{"skin_stiffness", "N/mm", 0.01, 10.0, 0.3}, {"puncture_depth", "mm", 0.1, 50.0, 5.0}},
-      .yields = {profile_stack::puncture_depth},
-      .contact = profile_stack::first + tops.size() + 1,
-      .simulate = profile_stack::simulate,
-      .yields_in = profile_stack::yields_in,
-      .guess = profile_stack::guess,
-      .elements = profile_stack::elements};
-  add_for_layers(model, tops.size(), {"stiffness", "N/mm", 0.0, 10.0, 0.4});
-  model.parameters.push_back({"trailing", "mm", 0.01, 50.0, 2.0});
-  model.parameters.push_back({"contact", "mm", -1000.0, 1000.0, 0.0, false});
-  add_for_layers(model, tops.size(), {"slope", "N/mm^2", -1.0, 1.0, 0.0, false});
+  FitModel model = {.name = "depth_profile",
+                    .parameters = {fit_parameter(&profile_stack::Settings::skin_stiffness),
+                                   fit_parameter(&profile_stack::Settings::puncture_depth)},
+                    .yields = {profile_stack::puncture_depth},
+                    .contact = profile_stack::first + tops.size() + 1,
+                    .simulate = profile_stack::simulate,
+                    .yields_in = profile_stack::yields_in,
+                    .guess = profile_stack::guess,
+                    .elements = profile_stack::elements};
+  add_for_layers(model, tops.size(), fit_parameter(&profile_stack::Tissue::stiffness));
+  model.parameters.push_back(fit_parameter(&profile_stack::Settings::trailing));
+  model.parameters.push_back(contact_parameter());
+  // A layer is thin: its stiffness and the change of it are hardly told apart.
+  add_for_layers(model, tops.size(), fit_parameter(&profile_stack::Tissue::slope, {.fitted = false}));
   add_tops(model, tops);
   return model;
 }
@@ -168,12 +188,14 @@ FitModel shaft_friction_stack_fit(std::span<const double> tops) {
                     .simulate = friction_stack::simulate,
                     .guess = friction_stack::guess,
                     .elements = friction_stack::elements};
-  add_for_layers(model, tops.size(), {"coulomb", "N/mm", 0.0, 10.0, 0.012});
+  add_for_layers(model, tops.size(),
+                 fit_parameter(&friction_stack::Tissue::coulomb, {.usual = usual_friction.coulomb}));
+  // Ratios of two declared numbers, which no table declares.
   model.parameters.push_back({"stiffness_ratio", "1/mm", 0.01, 1000.0, 3.0});
   model.parameters.push_back({"viscous_ratio", "s/mm", 0.0, 1.0, 0.005});
   model.parameters.push_back({"static_ratio", "", 1.0, 3.0, 1.2});
-  model.parameters.push_back({"stribeck_velocity", "mm/s", 0.01, 1000.0, 5.0, false});
-  model.parameters.push_back({"contact", "mm", -1000.0, 1000.0, 0.0, false});
+  model.parameters.push_back(fit_parameter(&friction_stack::Settings::stribeck_velocity, {.fitted = false}));
+  model.parameters.push_back(contact_parameter());
   add_tops(model, tops);
   return model;
 }

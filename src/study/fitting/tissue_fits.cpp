@@ -27,8 +27,11 @@ enum : std::size_t {
   contact
 };
 
-anatomy::ThreeComponentSettings settings_of(std::span<const double> p) {
-  anatomy::ThreeComponentSettings settings;
+using Settings = anatomy::ThreeComponentSettings;
+using Friction = anatomy::KarnoppFriction;
+
+Settings settings_of(std::span<const double> p) {
+  Settings settings;
   settings.linear = p[linear];
   settings.quadratic = std::max(p[quadratic], p[linear] > 0.0 ? 0.0 : 1e-9);
   settings.puncture_force = p[puncture_force];
@@ -42,8 +45,8 @@ anatomy::ThreeComponentSettings settings_of(std::span<const double> p) {
 }
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  anatomy::ThreeComponentSettings settings = settings_of(p);
-  settings.limit = no_limit;
+  Settings settings = settings_of(p);
+  settings.limit = no_limit<Settings>();
   forces::ThreeComponent model(settings);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -70,17 +73,12 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  const anatomy::ThreeComponentSettings s = settings_of(p);
-  io::XmlElement element = numbers_element("three_component", {{"linear_N_per_mm", s.linear},
-                                                               {"quadratic_N_per_mm2", s.quadratic},
-                                                               {"puncture_force_N", s.puncture_force},
-                                                               {"cutting_force_N", s.cutting_force},
-                                                               {"cutting_stiffness_N_per_mm", s.cutting_stiffness},
-                                                               {"hold_N_per_mm2", s.hold}});
-  const auto friction = [](const char* name, const anatomy::KarnoppFriction& one) {
-    return numbers_element(name, {{"coulomb_N_per_mm", one.coulomb},
-                                  {"viscous_N_s_per_mm2", one.viscous},
-                                  {"static_N_per_mm", one.static_force}});
+  const Settings s = settings_of(p);
+  io::XmlElement element =
+      element_of("three_component", s, &Settings::linear, &Settings::quadratic, &Settings::puncture_force,
+                 &Settings::cutting_force, &Settings::cutting_stiffness, &Settings::hold);
+  const auto friction = [](const char* name, const Friction& one) {
+    return element_of(name, one, &Friction::coulomb, &Friction::viscous, &Friction::static_force);
   };
   element.children = {friction("inwards", s.inwards), friction("outwards", s.outwards)};
   return {.resistance = element};
@@ -90,8 +88,10 @@ FittedElements elements(std::span<const double> p) {
 namespace fracture {
 enum : std::size_t { stiffness, toughness, cutting_toughness, cutting_stiffness, spacing, width, thickness, contact };
 
-anatomy::FractureSettings settings_of(std::span<const double> p) {
-  anatomy::FractureSettings settings;
+using Settings = anatomy::FractureSettings;
+
+Settings settings_of(std::span<const double> p) {
+  Settings settings;
   settings.stiffness = p[stiffness];
   settings.spacing = p[spacing];
   settings.toughness = p[toughness];
@@ -103,8 +103,8 @@ anatomy::FractureSettings settings_of(std::span<const double> p) {
 }
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  anatomy::FractureSettings settings = settings_of(p);
-  settings.limit = no_limit;
+  Settings settings = settings_of(p);
+  settings.limit = no_limit<Settings>();
   forces::Fracture model(settings);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -126,28 +126,34 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  const anatomy::FractureSettings s = settings_of(p);
-  return {.resistance = numbers_element("fracture", {{"stiffness_N_per_mm", s.stiffness},
-                                                     {"spacing_mm", s.spacing},
-                                                     {"toughness_N_per_mm", s.toughness},
-                                                     {"width_mm", s.width},
-                                                     {"thickness_mm", s.thickness},
-                                                     {"cutting_stiffness_N_per_mm", s.cutting_stiffness},
-                                                     {"cutting_toughness_N_per_mm", s.cutting_toughness}})};
+  return {.resistance = element_of("fracture", settings_of(p), &Settings::stiffness, &Settings::spacing,
+                                   &Settings::toughness, &Settings::width, &Settings::thickness,
+                                   &Settings::cutting_stiffness, &Settings::cutting_toughness)};
 }
 }  // namespace fracture
 
 namespace friction {
 enum : std::size_t { coulomb, stiffness, viscous, static_friction, stribeck, contact };
+using Settings = anatomy::ShaftFrictionSettings;
+using Tissue = anatomy::ShaftFrictionTissue;
+
+Tissue tissue_of(std::span<const double> p) {
+  return {.coulomb = p[coulomb],
+          .static_force = std::max(p[static_friction], p[coulomb]),
+          .stiffness = p[stiffness],
+          .viscous = p[viscous]};
+}
 
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
   forces::ShaftFriction model({.stribeck_velocity = p[stribeck]});
-  const double most = std::max(p[static_friction], p[coulomb]);
+  const Tissue tissue = tissue_of(p);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(); },
       [&](const AxialMotion& motion, forces::TickEvents& events) {
         const double length = std::max(0.0, motion.depth);
-        return model.step(motion, {p[coulomb] * length, most * length, p[stiffness] * length, p[viscous] * length},
+        return model.step(motion,
+                          {tissue.coulomb * length, tissue.static_force * length, tissue.stiffness * length,
+                           tissue.viscous * length},
                           events);
       });
 }
@@ -162,49 +168,46 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  return {
-      .tissues = {numbers_element("shaft_friction", {{"coulomb_N_per_mm", p[coulomb]},
-                                                     {"static_N_per_mm", std::max(p[static_friction], p[coulomb])},
-                                                     {"stiffness_N_per_mm2", p[stiffness]},
-                                                     {"viscous_N_s_per_mm2", p[viscous]}})},
-      .resistance = numbers_element("shaft_friction", {{"stribeck_velocity_mm_per_s", p[stribeck]}})};
+  return {.tissues = {element_of("shaft_friction", tissue_of(p), &Tissue::coulomb, &Tissue::static_force,
+                                 &Tissue::stiffness, &Tissue::viscous)},
+          .resistance =
+              element_of("shaft_friction", Settings{.stribeck_velocity = p[stribeck]}, &Settings::stribeck_velocity)};
 }
 }  // namespace friction
 
 }  // namespace
 
 FitModel three_component_fit() {
-  return {.name = "three_component",
-          .parameters = {{"linear", "N/mm", 0.0, 10.0, 0.02},
-                         {"quadratic", "N/mm^2", 0.0, 10.0, 0.03},
-                         {"puncture_force", "N", 0.01, 50.0, 0.85},
-                         {"cutting_force", "N", 0.0, 50.0, 0.3},
-                         {"coulomb_inwards", "N/mm", 0.0, 10.0, 0.01196},
-                         {"coulomb_outwards", "N/mm", 0.0, 10.0, 0.01057},
-                         {"viscous_inwards", "N s/mm^2", 0.0, 1.0, 0.00021213},
-                         {"viscous_outwards", "N s/mm^2", 0.0, 1.0, 0.00029308},
-                         {"cutting_stiffness", "N/mm", 0.01, 100.0, 1.0, false},
-                         {"hold", "N/mm^2", 0.001, 100.0, 0.1, false},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .yields = {three::puncture_force},
-          .contact = three::contact,
-          .needs_time = true,
-          .simulate = three::simulate,
-          .yields_in = three::yields_in,
-          .guess = three::guess,
-          .elements = three::elements};
+  using three::Friction;
+  using three::Settings;
+  const Settings usual;
+  return {
+      .name = "three_component",
+      .parameters = {fit_parameter(&Settings::linear), fit_parameter(&Settings::quadratic),
+                     fit_parameter(&Settings::puncture_force), fit_parameter(&Settings::cutting_force),
+                     fit_parameter(&Friction::coulomb, {.name = "coulomb_inwards", .usual = usual.inwards.coulomb}),
+                     fit_parameter(&Friction::coulomb, {.name = "coulomb_outwards", .usual = usual.outwards.coulomb}),
+                     fit_parameter(&Friction::viscous, {.name = "viscous_inwards", .usual = usual.inwards.viscous}),
+                     fit_parameter(&Friction::viscous, {.name = "viscous_outwards", .usual = usual.outwards.viscous}),
+                     fit_parameter(&Settings::cutting_stiffness, {.fitted = false}),
+                     fit_parameter(&Settings::hold, {.fitted = false}), contact_parameter()},
+      .yields = {three::puncture_force},
+      .contact = three::contact,
+      .needs_time = true,
+      .simulate = three::simulate,
+      .yields_in = three::yields_in,
+      .guess = three::guess,
+      .elements = three::elements};
 }
 
 FitModel fracture_fit() {
+  using fracture::Settings;
   return {.name = "fracture",
-          .parameters = {{"stiffness", "N/mm", 0.001, 10.0, 0.05},
-                         {"toughness", "N/mm", 1e-4, 100.0, 1.0},
-                         {"cutting_toughness", "N/mm", 0.0, 100.0, 0.1},
-                         {"cutting_stiffness", "N/mm", 0.01, 100.0, 1.0},
-                         {"spacing", "mm", 0.1, 10.0, 1.0, false},
-                         {"width", "mm", 0.05, 5.0, 0.8, false},
-                         {"thickness", "mm", 0.01, 20.0, 1.0, false},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .parameters = {fit_parameter(&Settings::stiffness), fit_parameter(&Settings::toughness),
+                         fit_parameter(&Settings::cutting_toughness), fit_parameter(&Settings::cutting_stiffness),
+                         fit_parameter(&Settings::spacing, {.fitted = false}),
+                         fit_parameter(&Settings::width, {.fitted = false}),
+                         fit_parameter(&Settings::thickness, {.fitted = false}), contact_parameter()},
           .yields = {fracture::toughness},
           .contact = fracture::contact,
           .simulate = fracture::simulate,
@@ -214,18 +217,19 @@ FitModel fracture_fit() {
 }
 
 FitModel shaft_friction_fit() {
-  return {.name = "shaft_friction",
-          .parameters = {{"coulomb", "N/mm", 0.0, 10.0, 0.012},
-                         {"stiffness", "N/mm^2", 1e-6, 100.0, 0.05},
-                         {"viscous", "N s/mm^2", 0.0, 1.0, 0.0002},
-                         {"static", "N/mm", 0.0, 10.0, 0.015},
-                         {"stribeck_velocity", "mm/s", 0.01, 1000.0, 5.0, false},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
-          .contact = friction::contact,
-          .needs_time = true,
-          .simulate = friction::simulate,
-          .guess = friction::guess,
-          .elements = friction::elements};
+  using friction::Tissue;
+  return {
+      .name = "shaft_friction",
+      .parameters = {fit_parameter(&Tissue::coulomb, {.usual = usual_friction.coulomb}),
+                     fit_parameter(&Tissue::stiffness),
+                     fit_parameter(&Tissue::viscous, {.usual = usual_friction.viscous}),
+                     fit_parameter(&Tissue::static_force, {.usual = usual_friction.static_force}),
+                     fit_parameter(&friction::Settings::stribeck_velocity, {.fitted = false}), contact_parameter()},
+      .contact = friction::contact,
+      .needs_time = true,
+      .simulate = friction::simulate,
+      .guess = friction::guess,
+      .elements = friction::elements};
 }
 
 }  // namespace bodkin::study

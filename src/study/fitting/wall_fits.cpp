@@ -3,7 +3,6 @@
 
 #include "study/fitting/fit_model.h"
 #include "study/fitting/simulate.h"
-#include <fmt/format.h>
 
 #include "forces/depth_profile.h"
 #include "forces/spring_damper_wall.h"
@@ -16,9 +15,14 @@ namespace {
 namespace wall {
 enum : std::size_t { stiffness, wall, damping };
 
+using Settings = anatomy::SpringDamperWallSettings;
+
+Settings settings_of(std::span<const double> p) {
+  return {.stiffness = p[stiffness], .damping = p[damping], .wall = p[wall], .limit = no_limit<Settings>()};
+}
+
 void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  forces::SpringDamperWall model(
-      {.stiffness = p[stiffness], .damping = p[damping], .wall = p[wall], .limit = no_limit});
+  forces::SpringDamperWall model(settings_of(p));
   forces::TickEvents events;
   for (std::size_t n = 0; n < history.ticks.size(); ++n)
     force[n] = model.step(history.ticks[n], anatomy::tissue::soft, events);
@@ -31,20 +35,47 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  return {.resistance = numbers_element(
-              "spring_damper_wall",
-              {{"stiffness_N_per_mm", p[stiffness]}, {"damping_N_s_per_mm", p[damping]}, {"wall_mm", p[wall]}})};
+  return {.resistance = element_of("spring_damper_wall", settings_of(p), &Settings::stiffness, &Settings::damping,
+                                   &Settings::wall)};
 }
 }  // namespace wall
+
+// Of `tracking_wall`, one tissue or a stack.
+namespace following {
+using Settings = anatomy::TrackingWallSettings;
+using Tissue = anatomy::TrackingWallTissue;
+using DepthLayer = anatomy::TrackingWallDepthLayer;
+
+// The wall's force has no size by default: a tissue without a number resists with nothing.
+FitParameter force() {
+  return fit_parameter(&Tissue::force, {.usual = 1.0});
+}
+// A setting may be infinite. The solver needs an end, and no curve of 600 s tells longer times apart.
+FitParameter catch_up() {
+  return fit_parameter(&Settings::catch_up, {.most = 1000.0});
+}
+
+io::XmlElement tissue_element(const Tissue& tissue) {
+  return element_of("tracking_wall", tissue, &Tissue::stiffness, &Tissue::force);
+}
+io::XmlElement settings_element(const Settings& settings) {
+  return element_of("tracking_wall", settings, &Settings::catch_up);
+}
+}  // namespace following
 
 namespace tracking {
 enum : std::size_t { stiffness, force, catch_up, contact };
 
-void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
-  anatomy::TrackingWallSettings settings;
+following::Settings settings_of(std::span<const double> p) {
+  following::Settings settings;
   settings.catch_up = p[catch_up];
-  settings.limit = no_limit;
+  settings.limit = no_limit<following::Settings>();
   settings.layers = {{.from = 0.0, .layer = {.stiffness = p[stiffness], .force = p[force]}}};
+  return settings;
+}
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
+  const following::Settings settings = settings_of(p);
   forces::TrackingWall model(anatomy::TissueLibrary(), settings, history.dt);
   simulate_axial(
       history, p[contact], forces, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -61,9 +92,9 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  return {
-      .tissues = {numbers_element("tracking_wall", {{"stiffness_N_per_mm", p[stiffness]}, {"force_N", p[force]}})},
-      .resistance = numbers_element("tracking_wall", {{"catch_up_s", p[catch_up]}})};
+  const following::Settings settings = settings_of(p);
+  return {.tissues = {following::tissue_element(settings.layers.front().layer)},
+          .resistance = following::settings_element(settings)};
 }
 }  // namespace tracking
 
@@ -84,12 +115,17 @@ double top(std::span<const double> p, std::size_t layer) {
   return p[shared + layers(p) + layer];
 }
 
-void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
-  anatomy::TrackingWallSettings settings;
+following::Settings settings_of(std::span<const double> p) {
+  following::Settings settings;
   settings.catch_up = catch_up(p);
-  settings.limit = no_limit;
+  settings.limit = no_limit<following::Settings>();
   for (std::size_t i = 0; i < layers(p); ++i)
     settings.layers.push_back({.from = top(p, i), .layer = {.stiffness = p[0], .force = p[1 + i]}});
+  return settings;
+}
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> forces) {
+  const following::Settings settings = settings_of(p);
   forces::TrackingWall model(anatomy::TissueLibrary(), settings, history.dt);
   simulate_axial(
       history, contact(p), forces, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -106,10 +142,13 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  FittedElements result{.resistance = numbers_element("tracking_wall", {{"catch_up_s", catch_up(p)}})};
-  for (std::size_t i = 0; i < layers(p); ++i) {
-    result.resistance->children.push_back(
-        numbers_element("layer", {{"from_mm", top(p, i)}, {"stiffness_N_per_mm", p[0]}, {"force_N", p[1 + i]}}));
+  const following::Settings settings = settings_of(p);
+  FittedElements result{.resistance = following::settings_element(settings)};
+  for (const following::DepthLayer& one : settings.layers) {
+    io::XmlElement element = element_of("layer", one, &following::DepthLayer::from);
+    const io::XmlElement tissue = following::tissue_element(one.layer);
+    element.attributes.insert(element.attributes.end(), tissue.attributes.begin(), tissue.attributes.end());
+    result.resistance->children.push_back(std::move(element));
   }
   return result;
 }
@@ -118,15 +157,27 @@ FittedElements elements(std::span<const double> p) {
 namespace profile {
 enum : std::size_t { skin_stiffness, puncture_depth, stiffness, slope, trailing, contact };
 
-void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
-  anatomy::DepthProfileSettings settings;
+using Settings = anatomy::DepthProfileSettings;
+using Tissue = anatomy::DepthProfileTissue;
+
+Settings settings_of(std::span<const double> p) {
+  Settings settings;
   settings.skin_stiffness = p[skin_stiffness];
   settings.puncture_depth = p[puncture_depth];
   settings.trailing = std::min(p[trailing], p[puncture_depth]);
-  settings.limit = no_limit;
+  settings.limit = no_limit<Settings>();
+  return settings;
+}
+
+Tissue tissue_of(std::span<const double> p) {
+  return {.kind = anatomy::DepthProfileKind::soft, .stiffness = p[stiffness], .slope = p[slope]};
+}
+
+void simulate(std::span<const double> p, const NeedleHistory& history, std::span<double> force) {
+  const Settings settings = settings_of(p);
   anatomy::TissueProperties soft;
   soft.id = anatomy::tissue::soft;
-  soft.depth_profile = {.kind = anatomy::DepthProfileKind::soft, .stiffness = p[stiffness], .slope = p[slope]};
+  soft.depth_profile = tissue_of(p);
   forces::DepthProfile model(anatomy::TissueLibrary({soft}), settings, history.dt);
   simulate_axial(
       history, p[contact], force, [&] { model.begin(Vec3::Zero(), Vec3::UnitZ()); },
@@ -151,14 +202,9 @@ void guess(std::span<const CurveShape> shapes, std::span<double> p) {
 }
 
 FittedElements elements(std::span<const double> p) {
-  io::XmlElement tissue =
-      numbers_element("depth_profile", {{"stiffness_N_per_mm", p[stiffness]}, {"slope_N_per_mm2", p[slope]}});
-  tissue.attributes.insert(tissue.attributes.begin(), {"kind", "soft"});
-  return {
-      .tissues = {tissue},
-      .resistance = numbers_element("depth_profile", {{"skin_stiffness_N_per_mm", p[skin_stiffness]},
-                                                      {"puncture_depth_mm", p[puncture_depth]},
-                                                      {"trailing_mm", std::min(p[trailing], p[puncture_depth])}})};
+  return {.tissues = {element_of("depth_profile", tissue_of(p), &Tissue::kind, &Tissue::stiffness, &Tissue::slope)},
+          .resistance = element_of("depth_profile", settings_of(p), &Settings::skin_stiffness,
+                                   &Settings::puncture_depth, &Settings::trailing)};
 }
 }  // namespace profile
 
@@ -166,9 +212,8 @@ FittedElements elements(std::span<const double> p) {
 
 FitModel spring_damper_wall_fit() {
   return {.name = "spring_damper_wall",
-          .parameters = {{"stiffness", "N/mm", 0.001, 100.0, 0.5},
-                         {"wall", "mm", -1000.0, 1000.0, 0.0},
-                         {"damping", "N s/mm", 0.0, 1.0, 0.002}},
+          .parameters = {fit_parameter(&wall::Settings::stiffness), fit_parameter(&wall::Settings::wall),
+                         fit_parameter(&wall::Settings::damping)},
           .jumpy = {wall::wall},
           .needs_time = true,
           .simulate = wall::simulate,
@@ -178,10 +223,8 @@ FitModel spring_damper_wall_fit() {
 
 FitModel tracking_wall_fit() {
   return {.name = "tracking_wall",
-          .parameters = {{"stiffness", "N/mm", 0.01, 100.0, 0.5},
-                         {"force", "N", 0.0, 50.0, 1.0},
-                         {"catch_up", "s", 0.001, 1000.0, 0.5},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .parameters = {fit_parameter(&following::Tissue::stiffness), following::force(), following::catch_up(),
+                         contact_parameter()},
           .contact = tracking::contact,
           .simulate = tracking::simulate,
           .guess = tracking::guess,
@@ -190,28 +233,24 @@ FitModel tracking_wall_fit() {
 
 FitModel tracking_wall_stack_fit(std::span<const double> tops) {
   FitModel model = {.name = "tracking_wall",
-                    .parameters = {{"stiffness", "N/mm", 0.01, 100.0, 0.5}},
+                    .parameters = {fit_parameter(&following::Tissue::stiffness)},
                     .contact = 2 + tops.size(),
                     .simulate = stack::simulate,
                     .guess = stack::guess,
                     .elements = stack::elements};
-  for (std::size_t i = 0; i < tops.size(); ++i)
-    model.parameters.push_back({fmt::format("force_{}", i + 1), "N", 0.0, 50.0, 1.0});
-  model.parameters.push_back({"catch_up", "s", 0.001, 1000.0, 0.5});
-  model.parameters.push_back({"contact", "mm", -1000.0, 1000.0, 0.0, false});
-  for (std::size_t i = 0; i < tops.size(); ++i)
-    model.parameters.push_back({fmt::format("from_{}", i + 1), "mm", 0.0, 500.0, tops[i], false});
+  add_for_layers(model, tops.size(), following::force());
+  model.parameters.push_back(following::catch_up());
+  model.parameters.push_back(contact_parameter());
+  add_tops(model, tops);
   return model;
 }
 
 FitModel depth_profile_fit() {
   return {.name = "depth_profile",
-          .parameters = {{"skin_stiffness", "N/mm", 0.01, 10.0, 0.3},
-                         {"puncture_depth", "mm", 0.1, 50.0, 5.0},
-                         {"stiffness", "N/mm", 0.0, 10.0, 0.4},
-                         {"slope", "N/mm^2", -1.0, 1.0, 0.01},
-                         {"trailing", "mm", 0.01, 50.0, 2.0},
-                         {"contact", "mm", -1000.0, 1000.0, 0.0, false}},
+          .parameters = {fit_parameter(&profile::Settings::skin_stiffness),
+                         fit_parameter(&profile::Settings::puncture_depth),
+                         fit_parameter(&profile::Tissue::stiffness), fit_parameter(&profile::Tissue::slope),
+                         fit_parameter(&profile::Settings::trailing), contact_parameter()},
           .yields = {profile::puncture_depth},
           .contact = profile::contact,
           .simulate = profile::simulate,
