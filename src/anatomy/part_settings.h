@@ -49,8 +49,8 @@ struct FingertipSettings {
 // Settings of CsfFlow; in a case bore and length are those of its needle.
 struct CsfFlowSettings {
   double opening_pressure = 145.0;
-  double needle_bore = 0.413;   // mm, of 22G; 0.05 to 3
-  double needle_length = 90.0;  // mm; 10 to 300
+  double needle_bore = 0.413;  // of 22G
+  double needle_length = 90.0;
   double viscosity = 1e-9;
   double manometer_bore = 1.5;
   bool manometer = true;
@@ -76,6 +76,13 @@ struct CsfFlowSettings {
                   "so much faster the fluid rises and collects than it would, for a lesson that has no time to wait",
                   Origin::choice}};
   }
+  static constexpr auto unwritten() {
+    using S = CsfFlowSettings;
+    return std::tuple{
+        Parameter{"needle_bore_mm", &S::needle_bore, Range{0.05, 3.0}, "mm", "of the case's needle", Origin::choice},
+        Parameter{"needle_length_mm", &S::needle_length, Range{10.0, 300.0}, "mm", "of the case's needle",
+                  Origin::choice}};
+  }
 };
 
 enum class SyringeFilling {
@@ -92,8 +99,8 @@ struct SyringeSettings {
   double bore = 15.0;
   double air_volume = 2000.0;
   double saline_compliance = 100.0;
-  double needle_bore = 1.194;   // mm, of 16G; 0.1 to 5
-  double needle_length = 80.0;  // mm; 10 to 300
+  double needle_bore = 1.194;  // of 16G
+  double needle_length = 80.0;
   double viscosity = 1e-9;
   double friction = 0.3;
   double thumb_force = 5.0;
@@ -112,6 +119,13 @@ struct SyringeSettings {
                       Parameter{"friction_N", &S::friction, Range{0.0, 20.0}, "N", "of the plunger", Origin::choice},
                       Parameter{"thumb_force_N", &S::thumb_force, Range{0.0, 50.0}, "N",
                                 "with which the thumb presses the plunger while the needle is in", Origin::choice}};
+  }
+  static constexpr auto unwritten() {
+    using S = SyringeSettings;
+    return std::tuple{
+        Parameter{"needle_bore_mm", &S::needle_bore, Range{0.1, 5.0}, "mm", "of the case's needle", Origin::choice},
+        Parameter{"needle_length_mm", &S::needle_length, Range{10.0, 300.0}, "mm", "of the case's needle",
+                  Origin::choice}};
   }
 };
 

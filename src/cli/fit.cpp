@@ -32,7 +32,16 @@ struct FitArguments {
   double speed = std::numeric_limits<double>::quiet_NaN();  // not given
 };
 
-constexpr const char* fit_footer = R"(Examples:
+// The names of the models that can be fitted, or of those that know layers.
+std::string model_list(bool with_layers) {
+  std::vector<std::string_view> names;
+  for (const study::FitModel& model : study::fit_models())
+    if (!with_layers || study::has_layers(model.name)) names.push_back(model.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string fit_footer() {
+  return fmt::format(R"(Examples:
   bodkin fit tracking_wall liver.csv                         stiffness, force and catch-up time of the wall
   bodkin fit layered skin.csv --fix viscosity=0 -o out/skin  the rest, without viscosity
   bodkin fit depth_profile gel.csv --from 0 --to 20          only samples between 0 and 20 mm count
@@ -45,10 +54,12 @@ constexpr const char* fit_footer = R"(Examples:
   bodkin fit all liver.csv                                   which model describes it best (AIC)
   bodkin fit layered a.csv b.csv c.csv --needles 16G,18G,22G how the force of puncture goes with the gauge
 
-Models: spring_damper_wall, tracking_wall, depth_profile, layered, three_component, fracture, shaft_friction.
+Models: {}.
 The table has the columns time_s (may be missing), depth_mm, force_N; # begins a comment.
 A table without depth_mm needs --speed, and is then one even insertion.
-Writes BASE.svg (data and fit) and BASE.xml (elements for a tissue library and a case).)";
+Writes BASE.svg (data and fit) and BASE.xml (elements for a tissue library and a case).)",
+                     model_list(false));
+}
 
 double number_in(std::string_view text, const char* option, const std::string& whole) {
   double value = 0.0;
@@ -349,7 +360,7 @@ void run_fit(const FitArguments& arguments, const CommandContext& context) {
 void add_fit_command(CLI::App& app, CommandContext& context) {
   auto arguments = std::make_shared<FitArguments>();
   CLI::App* command =
-      add_command(app, "fit", "Parameters of a force model from measured force-depth curves", fit_footer);
+      add_command(app, "fit", "Parameters of a force model from measured force-depth curves", fit_footer());
   study::FitRequest& request = arguments->request;
   add_text(*command, "MODEL", arguments->model, "Name of the force model, or all: which of them describes it best")
       .required();
@@ -366,8 +377,7 @@ void add_fit_command(CLI::App& app, CommandContext& context) {
   add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
   add_texts(
       *command, "--layers", arguments->layers,
-      "mm at which the layers of a stack begin, the first 0: values for each (tracking_wall, depth_profile, layered, "
-      "shaft_friction)")
+      fmt::format("mm at which the layers of a stack begin, the first 0: values for each ({})", model_list(true)))
       .separated_by_commas("MM,MM,...");
   add_texts(*command, "--needles", arguments->needles,
             "The gauge of each curve's needle: fits each curve, then the law of puncture force and diameter")

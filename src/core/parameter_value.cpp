@@ -38,6 +38,23 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string_view name_without_unit(std::string_view name, std::string_view unit) {
+  if (unit.empty()) return name;
+  const bool is_inverse = unit.starts_with("1/");
+  std::string ending = is_inverse ? "" : "_";
+  for (const char letter : unit.substr(is_inverse ? 1 : 0)) {
+    if (letter == '/') {
+      ending += "_per_";
+    } else if (letter == ' ') {
+      ending += '_';
+    } else if (letter != '^' && letter != '(' && letter != ')') {
+      ending += letter;
+    }
+  }
+  if (name.ends_with(ending)) name.remove_suffix(ending.size());
+  return name;
+}
+
 bool parse_number(std::string_view text, double& value) {
   text = without_blanks(text);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);

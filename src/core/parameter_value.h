@@ -59,6 +59,10 @@ bool parse_number(std::string_view text, double& value);
 
 std::string_view without_blanks(std::string_view text);
 
+// The name of a parameter without the unit with which it ends: "stiffness_N_per_mm" in "N/mm" is "stiffness",
+// "curvature_per_mm" in "1/mm" is "curvature".
+std::string_view name_without_unit(std::string_view name, std::string_view unit);
+
 // A value as files and command lines write it.
 template <typename Value>
 std::string value_text(const Value& value) {

@@ -25,20 +25,26 @@ inline void check_range(std::string_view origin, std::string_view name, double v
 // Throws InputError unless `dt` is a usable tick, 1e-6 to 0.1 s.
 void check_tick(std::string_view origin, double dt);
 
-// Name and unit of the parameter that `member` is.
-struct ParameterName {
+// What the table says of the parameter that `member` is.
+struct DeclaredParameter {
   std::string_view name;
   std::string_view unit;
+  Range range;
 };
 template <typename Settings>
-ParameterName name_of_member(const Settings& settings, const void* member) {
-  ParameterName found;
+DeclaredParameter declaration_of_member(const Settings& settings, const void* member) {
+  DeclaredParameter found;
   for_each_parameter(
       [&](const auto& parameter, const auto& value) {
-        if (static_cast<const void*>(&value) == member) found = {parameter.name, parameter.unit};
+        if (static_cast<const void*>(&value) == member) found = {parameter.name, parameter.unit, parameter.range};
       },
       settings);
   return found;
+}
+template <Parameterized Settings, typename Value>
+DeclaredParameter declaration_of(Value Settings::*member) {
+  const Settings defaults{};
+  return declaration_of_member(defaults, &(defaults.*member));
 }
 
 // One parameter is at most (minus `margin`) another one of the same unit.
@@ -56,8 +62,8 @@ struct AtMost {
   void check(const Owner& settings, std::string_view origin) const {
     if (!alternative.empty() && alternative_of(settings) != alternative) return;
     if (settings.*lower <= settings.*upper - margin) return;
-    const ParameterName low = name_of_member(settings, &(settings.*lower));
-    const ParameterName high = name_of_member(settings, &(settings.*upper));
+    const DeclaredParameter low = declaration_of_member(settings, &(settings.*lower));
+    const DeclaredParameter high = declaration_of_member(settings, &(settings.*upper));
     const std::string unit = low.unit.empty() ? "" : " " + std::string(low.unit);
     const std::string less = margin == 0.0 ? "" : ", less " + number_words(margin) + unit;
     refuse_setting(origin, std::string(low.name) + " is " + number_words(settings.*lower) + unit +
@@ -81,7 +87,7 @@ struct Rising {
     const std::vector<Item>& items = settings.*list;
     for (std::size_t i = 0; i < items.size(); ++i) {
       const double value = items[i].*key;
-      const std::string found = std::string(name_of_member(items[i], &(items[i].*key)).name) + " of element " +
+      const std::string found = std::string(declaration_of_member(items[i], &(items[i].*key)).name) + " of element " +
                                 std::to_string(i + 1) + " is " + number_words(value);
       if (i == 0 && !std::isnan(first) && value != first)
         refuse_setting(origin, found + ", expected " + number_words(first) + " for the first one");
@@ -125,7 +131,8 @@ void check_relations(const Settings& settings, std::string_view origin) {
 
 // Throws InputError for the first parameter out of its range and for the first relation that does not hold, those of
 // elements inside included. "ORIGIN: cutting_force_N is 9 N, expected at most the puncture_force_N of 1 N". A child
-// whose parameters all have their defaults is taken as missing and not looked at.
+// whose parameters all have their defaults is taken as missing and not looked at. unwritten() is a table like
+// parameters(), of what files do not write here because they state it elsewhere.
 template <Parameterized Settings>
 void check(const Settings& settings, std::string_view origin) {
   const std::string_view word = alternative_of(settings);
@@ -138,6 +145,13 @@ void check(const Settings& settings, std::string_view origin) {
         }
       },
       settings);
+  if constexpr (requires { Settings::unwritten(); }) {
+    std::apply(
+        [&](const auto&... parameters) {
+          (check_range(origin, parameters.name, parameters.of(settings), parameters.range, parameters.unit), ...);
+        },
+        Settings::unwritten());
+  }
   check_relations(settings, origin);
   const Settings defaults{};
   for_each_inside(

@@ -24,8 +24,6 @@ CsfFlow::CsfFlow(const anatomy::CsfFlowSettings& settings, double dt)
   constexpr auto model = "csf_flow";
   check_tick(model, dt);
   check(settings, model);
-  check_range(model, "needle bore", settings.needle_bore, {0.05, 3.0}, "mm");
-  check_range(model, "needle length", settings.needle_length, {10.0, 300.0}, "mm");
   resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);
 }
 

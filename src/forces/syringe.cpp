@@ -26,8 +26,6 @@ Syringe::Syringe(const anatomy::TissueLibrary& library, const anatomy::SyringeSe
   constexpr auto model = "syringe";
   check_tick(model, dt);
   check(settings, model);
-  check_range(model, "needle bore", settings.needle_bore, {0.1, 5.0}, "mm");
-  check_range(model, "needle length", settings.needle_length, {10.0, 300.0}, "mm");
   check_tissues(library, &anatomy::TissueProperties::syringe, model);
   area_ = std::numbers::pi * settings.bore * settings.bore / 4.0;
   needle_resistance_ = tube_resistance(settings.viscosity, settings.needle_length, settings.needle_bore);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "anatomy/case.h"
+#include "core/settings_check.h"
 #include "io/csv_rows.h"
 #include "io/resources.h"
 #include "io/xml_document.h"
@@ -27,18 +29,29 @@ struct QuantityKind {
   double most;
 };
 
+// A quantity that a case's device has too.
+QuantityKind kind_of(std::string_view name, double anatomy::DeviceLimits::*limit) {
+  const DeclaredParameter declared = declaration_of(limit);
+  return {name, declared.unit, declared.range.high};
+}
+
 // In the order of DeviceQuantity.
-constexpr std::array<QuantityKind, haptics::device_quantities> quantities = {{{"peak_force", "N", 200.0},
-                                                                              {"continuous_force", "N", 200.0},
-                                                                              {"peak_torque", "N mm", 20000.0},
-                                                                              {"stiffness", "N/mm", 50.0},
-                                                                              {"damping", "N s/mm", 1.0},
-                                                                              {"resolution", "mm", 1.0},
-                                                                              {"workspace_x", "mm", 3000.0},
-                                                                              {"workspace_y", "mm", 3000.0},
-                                                                              {"workspace_z", "mm", 3000.0},
-                                                                              {"friction", "N", 20.0},
-                                                                              {"inertia", "kg", 5.0}}};
+const std::array<QuantityKind, haptics::device_quantities>& quantities() {
+  using Limits = anatomy::DeviceLimits;
+  static const std::array<QuantityKind, haptics::device_quantities> kinds = {
+      {kind_of("peak_force", &Limits::peak_force),
+       kind_of("continuous_force", &Limits::continuous_force),
+       kind_of("peak_torque", &Limits::peak_torque),
+       kind_of("stiffness", &Limits::stiffness),
+       {"damping", "N s/mm", 1.0},
+       kind_of("resolution", &Limits::position_resolution),
+       {"workspace_x", "mm", 3000.0},
+       {"workspace_y", "mm", 3000.0},
+       {"workspace_z", "mm", 3000.0},
+       {"friction", "N", 20.0},
+       {"inertia", "kg", 5.0}}};
+  return kinds;
+}
 
 constexpr std::array<std::string_view, 5> provenances = {"not sourced", "paper", "looked-up", "recalled", "derived"};
 
@@ -57,16 +70,16 @@ class ProfileRow {
   bool is_other_name() const { return row_.fields[1] == other_name; }
 
   haptics::DeviceQuantity quantity() const {
-    for (std::size_t i = 0; i < quantities.size(); ++i) {
-      if (row_.fields[1] == quantities[i].name) return static_cast<haptics::DeviceQuantity>(i);
+    for (std::size_t i = 0; i < quantities().size(); ++i) {
+      if (row_.fields[1] == quantities()[i].name) return static_cast<haptics::DeviceQuantity>(i);
     }
     std::string names = other_name;
-    for (const QuantityKind& known : quantities) names += fmt::format(", {}", known.name);
+    for (const QuantityKind& known : quantities()) names += fmt::format(", {}", known.name);
     fail(1, fmt::format("one of {}", names));
   }
 
   haptics::ProfileValue value() const {
-    const QuantityKind& kind = quantities[static_cast<std::size_t>(quantity())];
+    const QuantityKind& kind = quantities()[static_cast<std::size_t>(quantity())];
     if (row_.fields[3] != kind.unit) fail(3, fmt::format("{} for {}", kind.unit, kind.name));
     haptics::ProfileValue found{.value = number(kind), .source = row_.fields[4], .remark = row_.fields[6]};
     const auto* const known = std::find(provenances.begin(), provenances.end(), row_.fields[5]);
@@ -145,7 +158,7 @@ std::vector<haptics::DeviceProfile> parse_device_profiles(const std::string& tex
     const auto index = static_cast<std::size_t>(entry.quantity());
     if (reading.lines[index] != 0) {
       fail_at(origin, row->line,
-              fmt::format("{} of {} is given again, which line {} gives already", quantities[index].name,
+              fmt::format("{} of {} is given again, which line {} gives already", quantities()[index].name,
                           in_quotes(row->fields[0]), reading.lines[index]));
     }
     reading.profile.values[index] = entry.value();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "core/error.h"
 #include "core/motion_estimator.h"
@@ -30,19 +31,25 @@ constexpr int limit_event_rest = 100;  // ticks without intervention before the 
 constexpr std::uint8_t interventions =
     haptics::force_limit::passivity | haptics::force_limit::peak | haptics::force_limit::thermal;
 
+// As declared, but that a program may simulate a stronger device than a case file can state.
+void check_device(const anatomy::DeviceLimits& device) {
+  for_each_parameter(
+      [](const auto& parameter, const auto& value) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+          const Range from = {parameter.range.low, unbounded, parameter.range.includes_low, false};
+          check_range("device", parameter.name, value, from, parameter.unit);
+        }
+      },
+      device);
+  check_relations(device, "device");
+}
+
 // The case, if its numbers can be simulated.
 const anatomy::Case& checked(const anatomy::Case& patient) {
   if (patient.tissues.empty()) throw InputError("the case has no tissues, so there is nothing to feel");
   const anatomy::HapticSettings& haptics = patient.description.haptics;
   bodkin::check(haptics, "haptics");
-  // A program may simulate a stronger device than a case file names.
-  const anatomy::DeviceLimits& device = patient.description.device;
-  constexpr Range positive = {0.0, unbounded, false, false}, not_negative = from_to_below(0.0, unbounded);
-  check_range("device", "peak_force_N", device.peak_force, positive, "N");
-  check_range("device", "continuous_force_N", device.continuous_force, above(0.0, device.peak_force), "N");
-  check_range("device", "stiffness_N_per_mm", device.stiffness, above(0.0, unbounded), "N/mm");
-  check_range("device", "position_resolution_mm", device.position_resolution, not_negative, "mm");
-  check_range("device", "peak_torque_N_mm", device.peak_torque, not_negative, "N mm");
+  check_device(patient.description.device);
   return patient;
 }
 

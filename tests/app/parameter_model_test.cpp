@@ -196,7 +196,8 @@ TEST(ParameterModel, a_model_of_a_deformable_body_has_its_steps_and_is_come_back
   ParameterModel model(patient);
   EXPECT_EQ(model.model(), "embedded_needle");
   EXPECT_EQ(model.models().back(), "embedded_needle");
-  EXPECT_EQ(ParameterModel(layered_patient()).models().back(), "fracture") << "without a body none of its models";
+  EXPECT_EQ(ParameterModel(layered_patient()).models().back(), "shaft_friction")
+      << "without a body none of its models";
   EXPECT_EQ(model.set(step_called(model, "Model: puncture time"), 0.1), "");
   EXPECT_EQ(model.set(step_called(model, "Muscle: friction"), 0.07), "");
   const auto muscle = std::find_if(model.now().tissues.begin(), model.now().tissues.end(),

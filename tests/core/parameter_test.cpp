@@ -224,6 +224,47 @@ TEST(Parameter, numbers_are_read_as_xml_writes_them) {
   EXPECT_EQ(value, 0.5);
 }
 
+struct Axle {
+  double width = 10.0;
+  double load = 5.0;
+
+  static constexpr auto parameters() {
+    return std::tuple{Parameter{"width_mm", &Axle::width, Range{1.0, 20.0}, "mm", "of the axle", Origin::choice}};
+  }
+  static constexpr auto unwritten() {
+    return std::tuple{Parameter{"load_N", &Axle::load, Range{0.0, 9.0}, "N", "of the wheels", Origin::choice}};
+  }
+};
+
+TEST(Parameter, what_is_stated_elsewhere_is_checked_and_not_written) {
+  EXPECT_EQ(settings_tree("axle", Axle{}).values.size(), 1U);
+  EXPECT_NO_THROW(check(Axle{}, "axle"));
+  try {
+    check(Axle{.load = 9.5}, "axle");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "axle: load_N is 9.5 N, expected 0 to 9 N");
+  }
+}
+
+TEST(Parameter, a_member_knows_its_declaration) {
+  const DeclaredParameter declared = declaration_of(&Layer::force);
+  EXPECT_EQ(declared.name, "force_N");
+  EXPECT_EQ(declared.unit, "N");
+  EXPECT_EQ(declared.range.high, 10.0);
+  EXPECT_FALSE(declared.range.includes_low);
+}
+
+TEST(Parameter, a_name_ends_with_its_unit) {
+  EXPECT_EQ(name_without_unit("stiffness_N_per_mm", "N/mm"), "stiffness");
+  EXPECT_EQ(name_without_unit("viscous_N_s_per_mm2", "N s/mm^2"), "viscous");
+  EXPECT_EQ(name_without_unit("stiffening_N_per_mm_s", "N/(mm s)"), "stiffening");
+  EXPECT_EQ(name_without_unit("curvature_per_mm", "1/mm"), "curvature");
+  EXPECT_EQ(name_without_unit("catch_up_s", "s"), "catch_up");
+  EXPECT_EQ(name_without_unit("roughness", ""), "roughness");
+  EXPECT_EQ(name_without_unit("pause", "s"), "pause") << "without one it stays";
+}
+
 TEST(Parameter, every_parameter_is_met_once) {
   std::multiset<std::string_view> names;
   for_each_parameter([&](const auto& parameter, const auto&) { names.insert(parameter.name); }, Everything{});

@@ -91,6 +91,7 @@ TEST(CsfFlow, is_finite_for_any_opening) {
 
 TEST(CsfFlow, refuses_settings_outside_their_ranges) {
   EXPECT_THROW(CsfFlow({.needle_bore = 0.0}, 1e-3), InputError);
+  EXPECT_THROW(CsfFlow({.needle_length = 301.0}, 1e-3), InputError);
   EXPECT_THROW(CsfFlow({.opening_pressure = -10.0}, 1e-3), InputError);
 }
 

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "anatomy/case.h"
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin {
 
@@ -61,7 +63,7 @@ TEST(DeviceProfilesFile, the_table_that_comes_with_bodkin_is_sound) {
 TEST(DeviceProfilesFile, a_bad_row_is_told_in_one_sentence_with_file_and_line) {
   EXPECT_EQ(
       sentence("Pen,peak_force,much,N,a note,recalled,\n"),
-      "devices.csv, line 2: column 3: value is 'much', expected a number above 0 and at most 200 N, or nothing");
+      "devices.csv, line 2: column 3: value is 'much', expected a number above 0 and at most 100 N, or nothing");
   EXPECT_EQ(sentence("Pen,peak_force,3,lbf,a note,recalled,\n"),
             "devices.csv, line 2: column 4: unit is 'lbf', expected N for peak_force");
   EXPECT_EQ(
@@ -88,6 +90,28 @@ TEST(DeviceProfilesFile, a_bad_row_is_told_in_one_sentence_with_file_and_line) {
   EXPECT_NE(sentence("").find("no devices"), std::string::npos);
   EXPECT_THROW(parse_device_profiles("", "devices.csv"), InputError);
   EXPECT_THROW(parse_device_profiles("device,quantity\n", "devices.csv"), InputError);
+}
+
+// What a profile states becomes the device of a case.
+TEST(DeviceProfilesFile, takes_what_a_case_can_state_and_no_more) {
+  using anatomy::DeviceLimits;
+  const std::vector<std::pair<std::string, double DeviceLimits::*>> quantities = {
+      {"peak_force", &DeviceLimits::peak_force},
+      {"continuous_force", &DeviceLimits::continuous_force},
+      {"peak_torque", &DeviceLimits::peak_torque},
+      {"stiffness", &DeviceLimits::stiffness},
+      {"resolution", &DeviceLimits::position_resolution}};
+  for (const auto& [name, limit] : quantities) {
+    const DeclaredParameter declared = declaration_of(limit);
+    const auto row = [&, quantity = name](double value) {
+      return "Pen," + quantity + "," + number_text(value) + "," + std::string(declared.unit) + ",a note,recalled,\n";
+    };
+    const std::string peak = name == "continuous_force" ? "Pen,peak_force,100,N,a note,recalled,\n" : "";
+    EXPECT_EQ(sentence(peak + row(declared.range.high)), "no error") << name;
+    EXPECT_NE(sentence(peak + row(1.01 * declared.range.high)).find("at most " + number_text(declared.range.high)),
+              std::string::npos)
+        << name;
+  }
 }
 
 TEST(DeviceProfilesFile, a_file_that_is_not_there_is_told) {

@@ -425,6 +425,12 @@ TEST(HapticTick, refuses_a_case_that_cannot_be_felt) {
   patient = slab_patient();
   patient.description.device.stiffness = 0.0;
   EXPECT_THROW(HapticTick{patient}, InputError);
+  patient = slab_patient();
+  patient.description.device.lateral_stiffness = -1.0;
+  EXPECT_THROW(HapticTick{patient}, InputError);
+  patient = slab_patient();
+  patient.description.device.peak_force = 500.0;
+  EXPECT_NO_THROW(HapticTick{patient}) << "stronger than a case file can state";
 }
 
 }  // namespace

@@ -20,9 +20,21 @@ namespace {
 
 using Place = forces::ModelPart;
 
-constexpr std::array<std::string_view, 8> rigid_models = {
-    "layered",      "spring_damper_wall", "tracking_wall",  "depth_profile",
-    "volume_proxy", "three_component",    "shaft_friction", "fracture"};
+// Models that any patient can be tried with: those that need no deformable body. The needle does not get past the
+// surface of `surface_proxy`, and what a program registers has no settings of a known name.
+std::vector<std::string_view> rigid_models() {
+  std::vector<std::string_view> names;
+  const auto add = [&names]<std::size_t... index>(std::index_sequence<index...>) {
+    const auto add_one = [&names](const anatomy::ResistanceSettings& settings) {
+      const bool excluded = std::holds_alternative<anatomy::SurfaceProxySettings>(settings) ||
+                            std::holds_alternative<anatomy::RegisteredSettings>(settings);
+      if (!excluded && anatomy::body_of(settings) == nullptr) names.push_back(anatomy::name_of(settings));
+    };
+    (add_one(std::variant_alternative_t<index, anatomy::ResistanceSettings>{}), ...);
+  };
+  add(std::make_index_sequence<std::variant_size_v<anatomy::ResistanceSettings>>{});
+  return names;
+}
 
 // The eleven steps of the acupuncture simulator's wizard.
 struct UsualStep {
@@ -131,18 +143,7 @@ bool same_library(const std::vector<anatomy::TissueProperties>& a, const std::ve
 }  // namespace
 
 std::string parameter_words(std::string_view name, std::string_view unit) {
-  const bool is_inverse = unit.starts_with("1/");  // "curvature_per_mm"
-  std::string suffix = is_inverse ? "" : "_";
-  for (const char c : unit.substr(is_inverse ? 1 : 0)) {
-    if (c == '/')
-      suffix += "_per_";
-    else if (c == ' ')
-      suffix += '_';
-    else if (c != '^' && c != '(' && c != ')')
-      suffix += c;
-  }
-  std::string words(name);
-  if (unit.size() > 0 && words.ends_with(suffix)) words.resize(words.size() - suffix.size());
+  std::string words(name_without_unit(name, unit));
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }
@@ -163,7 +164,7 @@ ParameterModel::ParameterModel(std::shared_ptr<const OpenCase> patient) : patien
 }
 
 std::vector<std::string_view> ParameterModel::models() const {
-  std::vector<std::string_view> names(rigid_models.begin(), rigid_models.end());
+  std::vector<std::string_view> names = rigid_models();
   const std::string_view own = anatomy::name_of(reference_.haptics.resistance);
   if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
   return names;

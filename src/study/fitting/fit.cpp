@@ -415,7 +415,7 @@ CurveFit fit_curves(std::span<const MeasuredCurve> curves, const FitRequest& ask
 
 ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest& request) {
   ModelChoice choice;
-  if (!request.layers.empty()) fit_stack("tracking_wall", request.layers);  // depths that are none: for no model
+  if (!request.layers.empty()) fit_stack("tracking_wall", request.layers);  // wrong depths are refused for all models
   for (const FitModel& model : fit_models()) {
     FitRequest one = request;
     one.model = model.name;

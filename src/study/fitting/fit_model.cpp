@@ -46,10 +46,11 @@ FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   constexpr std::size_t most = 30;
   const Stack stack = stack_of(fit_model(name).name);
   if (stack == nullptr) {
+    std::string names;
+    for (const FitModel& model : fit_models())
+      if (has_layers(model.name)) names += fmt::format("{}{}", names.empty() ? "" : ", ", model.name);
     throw InputError(
-        fmt::format("--layers is for tracking_wall, depth_profile, layered and shaft_friction, not {}; it knows one "
-                    "tissue and no layers",
-                    name));
+        fmt::format("--layers is for one of {}, not {}; it knows one tissue and no layers", names, name));
   }
   if (tops.front() != 0.0)
     throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));

@@ -62,7 +62,7 @@ bool has_layers(std::string_view name);
 inline constexpr double deepest_layer = 500.0;  // mm, where the last one begins: no measured curve is longer
 
 // A model of a stack whose layers begin at `tops` (mm, the first 0, rising): values for each layer, what the layers
-// share once. Throws InputError for a model that knows no layers, and for depths that are none.
+// share once. Throws InputError for a model that knows no layers, and for depths that do not rise from 0.
 FitModel fit_stack(std::string_view name, std::span<const double> tops);
 
 // The models whose force has no law of its own for tissue along the shaft ...

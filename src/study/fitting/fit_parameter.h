@@ -29,26 +29,17 @@ struct FitDifference {
   bool fitted = true;
 };
 
-// "stiffness_N_per_mm" in "N/mm" is "stiffness".
-std::string name_without_unit(std::string_view name, std::string_view unit);
-
 // The parameter of a fit that the table of `Settings` declares for `member`.
 template <Parameterized Settings>
 FitParameter fit_parameter(double Settings::*member, const FitDifference& difference = {}) {
-  FitParameter found;
-  const Settings defaults;
-  for_each_parameter(
-      [&](const auto& parameter, const auto& value) {
-        if (static_cast<const void*>(&value) != &(defaults.*member)) return;
-        found.name = difference.name.empty() ? name_without_unit(parameter.name, parameter.unit) : difference.name;
-        found.unit = parameter.unit;
-        found.low = std::max(parameter.range.low, difference.least);
-        found.high = std::min(parameter.range.high, difference.most);
-      },
-      defaults);
-  found.usual = difference.usual.value_or(defaults.*member);
-  found.fitted = difference.fitted;
-  return found;
+  const DeclaredParameter declared = declaration_of(member);
+  return {.name = std::string(difference.name.empty() ? name_without_unit(declared.name, declared.unit)
+                                                      : difference.name),
+          .unit = std::string(declared.unit),
+          .low = std::max(declared.range.low, difference.least),
+          .high = std::min(declared.range.high, difference.most),
+          .usual = difference.usual.value_or(Settings{}.*member),
+          .fitted = difference.fitted};
 }
 
 // An element of a tissue library or a case that states these members of the settings, under their declared names.
@@ -56,9 +47,7 @@ template <Parameterized Settings, typename... Members>
 io::XmlElement element_of(std::string name, const Settings& settings, Members... members) {
   io::XmlElement element;
   element.name = std::move(name);
-  (element.attributes.emplace_back(name_of_member(settings, &(settings.*members)).name,
-                                   value_text(settings.*members)),
-   ...);
+  (element.attributes.emplace_back(declaration_of(members).name, value_text(settings.*members)), ...);
   return element;
 }
 
