@@ -5,6 +5,7 @@
 
 #include "cli/arguments.h"
 #include "core/error.h"
+#include "core/parameter.h"
 #include "core/parameter_value.h"
 #include "io/force_choice.h"
 
@@ -42,13 +43,17 @@ void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {
 
 std::string force_names(const anatomy::HapticSettings& haptics) {
   std::string names(anatomy::model_name(haptics.resistance));
-  if (!haptics.parts.relaxation.empty()) names += " + relaxation";
-  if (haptics.parts.shaft_friction) names += " + shaft_friction";
-  if (haptics.parts.needle_grasp) names += " + needle_grasp";
-  if (haptics.parts.bevel_tip) names += " + bevel_tip";
-  if (haptics.parts.csf_flow) names += " + csf_flow";
-  if (haptics.parts.syringe) names += " + syringe";
-  if (haptics.parts.fingertip) names += " + fingertip";
+  for_each_inside(
+      [&names](const auto& part, const auto& chosen) {
+        bool is_there = false;
+        if constexpr (requires { chosen.has_value(); }) {
+          is_there = chosen.has_value();
+        } else {
+          is_there = !chosen.empty();
+        }
+        if (is_there) names.append(" + ").append(part.name);
+      },
+      haptics.parts);
   return fmt::format("{}, {}", names, anatomy::name_of(haptics.constraint));
 }
 

@@ -93,13 +93,14 @@ void visit_part(Settings& settings, ModelPart part, anatomy::TissueId id, const 
   const auto found = std::find_if(settings.tissues.begin(), settings.tissues.end(),
                                   [id](const anatomy::TissueProperties& tissue) { return tissue.id == id; });
   if (found == settings.tissues.end()) return;
-  const std::string_view model = anatomy::name_of(settings.haptics.resistance);
-  if (model == "layered") visit(found->layered);
-  if (model == "tracking_wall") visit(found->tracking_wall);
-  if (model == "depth_profile") visit(found->depth_profile);
-  if (model == "volume_proxy") visit(found->volume_proxy);
-  if (model == "shaft_friction") visit(found->shaft_friction);
-  if (model == "embedded_needle" || model == "closest_node") visit(found->deformable);
+  // What a tissue says to a model is the element of the model's name; all models of a deformable body share one.
+  const bool has_body = anatomy::body_of(settings.haptics.resistance) != nullptr;
+  const std::string_view asked = has_body ? "deformable" : anatomy::name_of(settings.haptics.resistance);
+  for_each_inside(
+      [&](const auto& element, auto& value) {
+        if (element.name == asked) visit(value);
+      },
+      *found);
 }
 
 }  // namespace bodkin::forces

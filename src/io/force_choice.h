@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "anatomy/force_settings.h"
@@ -23,8 +24,9 @@ anatomy::ResistanceSettings parse_resistance(std::string_view text, const std::s
 
 anatomy::ConstraintSettings parse_constraint(std::string_view text, const std::string& origin);
 
-inline constexpr std::array<std::string_view, 7> part_names = {
-    "relaxation", "shaft_friction", "needle_grasp", "bevel_tip", "csf_flow", "syringe", "fingertip"};
+inline constexpr auto part_names =
+    std::apply([](const auto&... part) { return std::array<std::string_view, sizeof...(part)>{part.name...}; },
+               anatomy::ForceParts::parameters());
 
 // One text for each part; "none" alone means no parts.
 anatomy::ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);

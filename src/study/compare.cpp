@@ -25,10 +25,31 @@ constexpr double bone_search = 0.1;       // mm
 constexpr double least_bone = 1e-3;       // N/mm
 
 constexpr const char* option = "--models";
-constexpr std::array<std::string_view, 13> model_names = {
-    "layered",        "layered_sum",     "spring_damper_wall",   "tracking_wall",   "tracking_wall_leash",
-    "depth_profile",  "volume_proxy",    "volume_proxy_viscous", "three_component", "fracture",
-    "shaft_friction", "embedded_needle", "closest_node"};
+
+// What is compared beside a model itself.
+struct Variant {
+  std::string_view of, name;
+};
+constexpr Variant variants[] = {
+    {"layered", "layered_sum"}, {"tracking_wall", "tracking_wall_leash"}, {"volume_proxy", "volume_proxy_viscous"}};
+
+// The needle does not get past the surface of `surface_proxy`, and what a program registers it names itself.
+constexpr std::string_view not_compared[] = {"surface_proxy", "registered"};
+
+std::vector<std::string_view> all_compared() {
+  std::vector<std::string_view> names;
+  for (const std::string_view model : anatomy::resistance_names) {
+    if (std::find(std::begin(not_compared), std::end(not_compared), model) != std::end(not_compared)) continue;
+    names.push_back(model);
+    for (const Variant& variant : variants)
+      if (variant.of == model) names.push_back(variant.name);
+  }
+  return names;
+}
+const std::vector<std::string_view>& model_names() {
+  static const std::vector<std::string_view> names = all_compared();
+  return names;
+}
 
 // The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
 anatomy::ResistanceSettings settings_of(std::string_view name, const anatomy::ResistanceSettings& own) {
@@ -217,18 +238,18 @@ std::string nothing_ran(const std::vector<ModelRefused>& refused) {
 }  // namespace
 
 std::span<const std::string_view> compared_names() {
-  return model_names;
+  return model_names();
 }
 
 std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, const anatomy::ResistanceSettings& own) {
   std::vector<ComparedModel> models;
   if (texts.empty()) {
-    for (const std::string_view name : model_names) models.push_back({std::string(name), settings_of(name, own)});
+    for (const std::string_view name : model_names()) models.push_back({std::string(name), settings_of(name, own)});
   }
   for (const std::string& text : texts) {
     const auto is_text = [&](const ComparedModel& model) { return model.name == text; };
     if (std::any_of(models.begin(), models.end(), is_text)) continue;
-    if (std::find(model_names.begin(), model_names.end(), text) != model_names.end()) {
+    if (std::find(model_names().begin(), model_names().end(), text) != model_names().end()) {
       models.push_back({text, settings_of(text, own)});
       continue;
     }
@@ -236,7 +257,7 @@ std::vector<ComparedModel> models_of(const std::vector<std::string>& texts, cons
     if (std::find(anatomy::resistance_names.begin(), anatomy::resistance_names.end(), first) ==
         anatomy::resistance_names.end()) {
       throw InputError(fmt::format("{}: there is no model '{}', expected 'all' or some of {}", option, text,
-                                   fmt::join(model_names, ", ")));
+                                   fmt::join(model_names(), ", ")));
     }
     models.push_back({text, io::parse_resistance(text, option)});
   }

@@ -1,9 +1,11 @@
 #include "simulation/resistance_models.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <tuple>
 
+#include "tests/simulation/model_pairs.h"
 #include "tests/simulation/slab_patient.h"
 #include <gtest/gtest.h>
 
@@ -55,6 +57,13 @@ TEST(ResistanceModels, each_has_a_name_of_its_own_and_diagnostics_that_fit) {
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
   EXPECT_EQ(names.size(), resistance_names.size() - 1) << "all but `registered`";
+}
+
+TEST(ResistanceModels, the_suites_of_all_models_know_each) {
+  std::set<std::string_view> tested;
+  for (const NamedResistance& resistance : all_resistances()) tested.insert(name_of(resistance.settings));
+  for (const ResistanceEntry& entry : resistance_models())
+    EXPECT_TRUE(tested.contains(entry.traits.name)) << "add it to tests/simulation/model_pairs.h";
 }
 
 TEST(ResistanceModels, one_that_a_program_registers_runs_by_its_name_with_its_settings) {
