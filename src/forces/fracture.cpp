@@ -11,7 +11,7 @@ namespace bodkin::forces {
 Fracture::Fracture(const anatomy::FractureSettings& settings)
     : settings_(settings),
       membrane_(VoigtSum::cubic, settings.stiffness, 0.0, settings.spacing),
-      edge_(cutting_force(settings.cutting_toughness, settings.width), settings.cutting_stiffness) {
+      edge_(settings.cutting_toughness * settings.width, settings.cutting_stiffness) {
   check(settings, "fracture");
 }
 

@@ -11,29 +11,17 @@
 
 namespace bodkin::forces {
 
-// F_cut = J w, N: steady cutting of a crack of width w (mm) in tissue of toughness J (N/mm = 1000 J/m^2).
-constexpr double cutting_force(double toughness, double width) noexcept {
-  return toughness * width;
-}
-// J = (R1 - R2)/w, N/mm, from two insertions into one channel: the second only rubs (Azar and Hayward 2008).
-constexpr double toughness_from_insertions(double first, double second, double width) noexcept {
-  return (first - second) / width;
-}
 // U = k dx^2 (a^4/4 + a^3 + a^2)/6, N mm, a = x/dx: what the cubic law of voigt_law.h has stored at x >= 0.
 constexpr double stored_energy(double stiffness, double spacing, double x) noexcept {
   const double a = x / spacing;
   return stiffness * spacing * spacing * a * a * (a * a / 4.0 + a + 1.0) / 6.0;
-}
-// H + L/(v + v0), N: a rupture force that falls with speed and saturates, as Mahvash and Dupont (2010) found; v >= 0.
-constexpr double rupture_force(double base, double rate, double slowest, double velocity) noexcept {
-  return base + rate / (velocity + slowest);
 }
 
 // Puncture as fracture (Azar and Hayward 2008; Mahvash and Dupont 2010; Barnett et al. 2015; Khadem et al. 2016). A
 // membrane deforms elastically and tears when the energy that it has stored pays for the crack:
 //
 //   before   R = k dx a (a+1)(a+2)/6,  a = x/dx          until U(x) >= J w t_m
-//   after    R = J_behind w, where tissue is still whole (cutting_edge.h)
+//   after    R = J_behind w, where tissue is still whole (cutting_edge.h); J in N/mm, 1 N/mm = 1000 J/m^2
 //
 // No velocity is needed; the needle's toughness and width decide. Passive.
 class Fracture : public ResistanceDefaults {

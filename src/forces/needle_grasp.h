@@ -10,8 +10,7 @@ namespace bodkin::forces {
 //   factor = point (1 + max(one_way (1 - exp(-|n|/w)), two_way (1 - exp(-m/w))))
 //
 // n net turns since the entry, m turns that went back on themselves (all turning less |n|), w turns_to_wind. Multiply
-// the friction of the shaft (D and S of `layered`, Fc of `shaft_friction`) with it. Twisting takes r f for every mm
-// of shaft.
+// the friction of the shaft (D and S of `layered`, Fc of `shaft_friction`) with it.
 class NeedleGrasp {
  public:
   // Throws InputError for a setting outside its range.
@@ -33,10 +32,5 @@ class NeedleGrasp {
   double net_ = 0.0;    // turns
   double total_ = 0.0;  // turns
 };
-
-// N mm: torque that turns a needle of `diameter` (mm) whose shaft is held with `friction` N/mm over `length` mm.
-constexpr double twisting_torque(double diameter, double friction, double length) noexcept {
-  return 0.5 * diameter * friction * length;
-}
 
 }  // namespace bodkin::forces

@@ -19,14 +19,34 @@ struct FractureBench {
   TickEvents events;
 };
 
-TEST(Fracture, cutting_pays_for_the_crack) {
-  EXPECT_DOUBLE_EQ(cutting_force(0.1, 0.8), 0.08);
-  EXPECT_NEAR(toughness_from_insertions(0.68, 0.6, 0.8), 0.1, 1e-12);
+// Azar and Hayward (2008) measure the toughness by two insertions into one channel, of which the second only rubs:
+// J = (R1 - R2)/w.
+TEST(Fracture, two_insertions_into_one_channel_measure_its_toughness) {
+  for (const double toughness : {0.1, 0.4}) {
+    for (const double width : {0.5, 1.2}) {
+      FractureBench bench({.width = width, .cutting_toughness = toughness});
+      const double first = bench.to(20.0);
+      bench.to(-1.0);
+      const double second = bench.to(19.0);
+      EXPECT_NEAR((first - second) / width, toughness, 1e-9) << width << " mm";
+    }
+  }
 }
 
-TEST(Fracture, rupture_force_falls_with_speed_and_saturates) {
-  const double speeds[] = {0.0, 1.0, 10.0}, forces[] = {3.0, 2.0, 1.18182};
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(rupture_force(1.0, 2.0, 1.0, speeds[i]), forces[i], 5e-6);
+// Whatever the way in, the work of the hand is that of the two cracks and of what the cutting edge still holds.
+TEST(Fracture, the_work_of_an_insertion_is_the_energy_of_its_cracks) {
+  const FractureSettings settings;
+  FractureBench bench(settings);
+  double work = 0.0, depth = 0.0;
+  constexpr double step = 1e-3;  // mm, a tick at 1 mm/s
+  while (depth < 20.0) {
+    depth += step;
+    work += step * bench.to(depth, 1.0);
+  }
+  ASSERT_EQ(bench.events.size(), 2U);
+  const double torn = bench.events.begin()[1].depth, cut = settings.cutting_toughness * settings.width;
+  const double membrane = settings.toughness * settings.width * settings.thickness;
+  EXPECT_NEAR(work, membrane + cut * (20.0 - torn), 0.01 * work);
 }
 
 TEST(Fracture, stored_energy_is_the_integral_of_the_cubic_law) {

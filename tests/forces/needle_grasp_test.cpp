@@ -63,10 +63,6 @@ TEST(NeedleGrasp, does_nothing_without_turning_and_forgets_on_reset) {
   EXPECT_EQ(grasp.step(2.0), 1.0);
 }
 
-TEST(NeedleGrasp, twisting_takes_the_radius_times_the_friction) {
-  EXPECT_DOUBLE_EQ(twisting_torque(0.25, 0.02, 20.0), 0.05);
-}
-
 TEST(NeedleGrasp, stays_bounded_for_any_input) {
   NeedleGrasp grasp({});
   for (const double roll : {1e308, -1e308, std::numeric_limits<double>::infinity(), std::nan(""), 1e5, -1e5}) {

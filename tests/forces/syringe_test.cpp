@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "tests/forces/default_tissues.h"
 #include <gtest/gtest.h>
@@ -14,11 +15,20 @@ using namespace bodkin::anatomy;
 using namespace bodkin::forces;
 namespace {
 
-TEST(Syringe, published_forces_and_pressures_belong_to_one_plunger) {
-  EXPECT_NEAR(11.1 / 0.0627, 177.0, 0.05);
-  EXPECT_NEAR(Syringe(checks::default_tissues(), {}, 1e-3).area(), 176.7, 0.05);
-  const double pressures[] = {461.0, 430.0, 415.0, 376.0}, forces[] = {10.86, 10.13, 9.78, 8.86};  // mmHg, N
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(pressures[i] * 1.33322e-4 * 176.7, forces[i], 5e-3);
+// Vaughan et al. (2012): 470 to 500 mmHg in the ligament go with 11.1 to 11.8 N on the plunger.
+TEST(Syringe, a_plunger_held_at_the_published_pressures_takes_the_published_forces) {
+  TissueProperties ligament;
+  ligament.id = tissue::ligamentum_flavum;
+  ligament.syringe.resistance = 1e6;
+  constexpr double mmHg = 1.33322e-4;  // MPa
+  for (const auto& [pressure, force] : {std::pair{470.0, 11.1}, std::pair{500.0, 11.8}}) {
+    for (const SyringeFilling filling : {SyringeFilling::saline, SyringeFilling::air}) {
+      Syringe syringe(TissueLibrary({ligament}), {.filling = filling}, 1e-3);
+      while (syringe.state().pressure < pressure * mmHg) syringe.step(0.01, ligament.id);
+      EXPECT_NEAR(syringe.step(0.0, ligament.id).force, force, 0.05) << pressure << " mmHg";
+      EXPECT_GT(syringe.step(2.0, ligament.id).force, force + 0.2) << "a plunger that slides rubs";
+    }
+  }
 }
 
 TEST(Syringe, a_16_gauge_needle_empties_2_millilitres_of_air_exponentially) {
@@ -115,6 +125,8 @@ TEST(Syringe, is_finite_and_repeats_for_any_input) {
 
 TEST(Syringe, refuses_settings_outside_their_ranges) {
   EXPECT_THROW(Syringe(checks::default_tissues(), {.bore = 0.0}, 1e-3), InputError);
+  EXPECT_THROW(Syringe(checks::default_tissues(), {.needle_bore = 0.09}, 1e-3), InputError);
+  EXPECT_THROW(Syringe(checks::default_tissues(), {.needle_length = 9.0}, 1e-3), InputError);
   EXPECT_THROW(Syringe(checks::default_tissues(), {}, -1.0), InputError);
 }
 
