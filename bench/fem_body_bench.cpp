@@ -127,7 +127,7 @@ std::vector<Vec3> seen_points() {
   return points;
 }
 
-void field_for_the_eyes(benchmark::State& state) {
+void display_field(benchmark::State& state) {
   const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
   const auto pushed = static_cast<std::size_t>(state.range(1));
   static std::map<std::uint32_t, std::pair<std::unique_ptr<DisplayField>, double>> fields;
@@ -180,7 +180,7 @@ const bool registered = [] {
         ->Iterations(3)
         ->Unit(benchmark::kSecond);
     for (const std::int64_t k : {10, 50, 150})
-      benchmark::RegisterBenchmark("field_for_the_eyes", field_for_the_eyes)
+      benchmark::RegisterBenchmark("display_field", display_field)
           ->ArgNames({"along", "k"})
           ->Args({along, k})
           ->Iterations(500);

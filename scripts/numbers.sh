@@ -67,7 +67,7 @@ fem_tick_bench:display_field displacement field for the display, k contact nodes
 fem_body_bench:machine_itself -
 fem_body_bench:prepare mesh to condensed body, nodes along an edge (0: fine near an oblique path)
 fem_body_bench:prepare_from_cache condensed body read from its file, nodes along an edge
-fem_body_bench:field_for_the_eyes displacement field for the display
+fem_body_bench:display_field displacement field for the display
 fem_preparation_bench:prepare preparation, nodes along an edge,
 fem_preparation_bench:only_check check of the mesh, nodes along an edge
 fem_preparation_bench:only_plan order of elimination, nodes along an edge

@@ -142,7 +142,7 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const station::Devi
                                    const DevicesCalibrateArguments& arguments, Console& console) {
   const std::vector<CalibrationStep> steps = chosen_steps(arguments, abilities);
   haptics::DeviceCalibration measured;
-  const auto weighing = std::make_shared<haptics::Weighing>();
+  const auto controller = std::make_shared<haptics::CalibrationController>();
   haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
   const auto note = [&console](const std::string& sentence) { console.note(sentence); };
@@ -153,10 +153,10 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const station::Devi
   settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
   const EndOnSignal signals;         // until the servo has ramped its force down
   haptics::DeviceServo servo(std::move(port), abilities, settings,
-                             [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
+                             [controller](const haptics::ControlInput& input) { return controller->step(input); });
   servo.start();
   TerminalKeys keys;
-  station::CalibrationSteps guide(servo, *weighing, arguments.settings, calibration_person(console, keys));
+  station::CalibrationSteps guide(servo, *controller, arguments.settings, calibration_person(console, keys));
   for (const CalibrationStep step : steps) guide.perform(step, measured);
   if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
   return measured;

@@ -22,10 +22,10 @@
 #include "core/error.h"
 #include "core/files.h"
 #include "core/utc_time.h"
+#include "haptics/calibration_controller.h"
 #include "haptics/deadline_clock.h"
 #include "haptics/device_servo.h"
 #include "haptics/stable_stiffness.h"
-#include "haptics/weighing.h"
 
 namespace bodkin::cli {
 
@@ -115,8 +115,8 @@ void require_no_signal() {
 }
 
 // The steps in which the motors push, by 1 N and by the handle's weight; what cannot be measured is a sentence.
-Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Console& console, EnterKey& enter,
-                   double seconds) {
+Json measure_force(haptics::DeviceServo& servo, haptics::CalibrationController& controller, Console& console,
+                   EnterKey& enter, double seconds) {
   station::CalibrationPerson person;
   person.say = [&](const std::string& sentence) { console.line(sentence); };
   person.progress = console.progress();
@@ -125,7 +125,7 @@ Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Con
   person.gives_up = [] { return EndOnSignal::signal() != 0; };
   station::CalibrationSettings settings;
   settings.seconds = std::max(1.0, seconds);
-  station::CalibrationSteps steps(servo, weighing, settings, std::move(person));
+  station::CalibrationSteps steps(servo, controller, settings, std::move(person));
   haptics::DeviceCalibration measured;
   Json json = Json::object();
   for (const CalibrationStep step : {CalibrationStep::weight, CalibrationStep::delay}) {
@@ -148,15 +148,16 @@ Json measure_force(haptics::DeviceServo& servo, haptics::Weighing& weighing, Con
 
 // Leads through the steps and adds what was seen to `json`. Returns how many were not as they should be. Throws
 // station::CalibrationGivenUp when a signal ends the command.
-int perform_steps(haptics::DeviceServo& servo, haptics::Weighing& weighing, const haptics::DeviceAbilities& abilities,
-                  const ProtocolOptions& options, Console& console, Json& json) {
+int perform_steps(haptics::DeviceServo& servo, haptics::CalibrationController& controller,
+                  const haptics::DeviceAbilities& abilities, const ProtocolOptions& options, Console& console,
+                  Json& json) {
   EnterKey enter;
   if (enter.is_there()) console.line("press Enter to begin each step, and to end it early");
   int against = 0;
   for (const station::ProtocolStep& step : station::protocol_steps(abilities)) {
     // The last step may leave a device that wants to be started again.
     if (step.name == station::last_protocol_step && abilities.peak_force > 0.0 && !options.without_force) {
-      json["force"] = measure_force(servo, weighing, console, enter, options.seconds);
+      json["force"] = measure_force(servo, controller, console, enter, options.seconds);
     }
     console.line(fmt::format("{}: {}", step.name, step.task));
     while (enter.is_there() && !enter.pressed()) {
@@ -191,10 +192,10 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
   else
     settings.guard.user_force = station::measuring_force(chosen, abilities, options.allow_late, note);
   settings.guard.frozen_time = 0.0;  // a handle that is left alone may stand still
-  const auto weighing = std::make_shared<haptics::Weighing>();
+  const auto controller = std::make_shared<haptics::CalibrationController>();
   const EndOnSignal signals;  // until the servo has ramped its force down
   haptics::DeviceServo servo(std::move(port), abilities, settings,
-                             [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
+                             [controller](const haptics::ControlInput& input) { return controller->step(input); });
   Json json = {{"protocol", protocol_version},
                {"bodkin", BODKIN_VERSION},
                {"made_at", utc_now()},
@@ -206,7 +207,7 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
   servo.start();
   int against = 0;
   try {
-    against = perform_steps(servo, *weighing, abilities, options, console, json);
+    against = perform_steps(servo, *controller, abilities, options, console, json);
   } catch (const station::CalibrationGivenUp&) {
     servo.stop();
     console.clear_bar();

@@ -78,7 +78,7 @@ void run_devices_touch(const DevicesTouchArguments& arguments, CommandContext& c
   haptics::DevicePort port(*chosen.driver, chosen.identity, arguments.device.settings);
   const haptics::DeviceAbilities abilities = port.abilities();
   const Vec3 offset = tip_offset(arguments, chosen, abilities);
-  const auto weighing = std::make_shared<haptics::Weighing>();
+  const auto controller = std::make_shared<haptics::CalibrationController>();
   haptics::ServoSettings settings;
   settings.rate = std::clamp(abilities.rate, 200.0, 4000.0);
   settings.guard.user_force = 0.0;
@@ -87,12 +87,12 @@ void run_devices_touch(const DevicesTouchArguments& arguments, CommandContext& c
   try {
     const EndOnSignal signals;
     haptics::DeviceServo servo(std::move(port), abilities, settings,
-                               [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
+                               [controller](const haptics::ControlInput& input) { return controller->step(input); });
     servo.start();
     TerminalKeys keys;
     station::CalibrationSettings pace;
     pace.countdown = arguments.countdown;
-    station::CalibrationSteps guide(servo, *weighing, pace, calibration_person(console, keys));
+    station::CalibrationSteps guide(servo, *controller, pace, calibration_person(console, keys));
     for (const std::string& name : arguments.points) {
       const haptics::TouchFit fit = guide.touch(name, offset);
       csv += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", name, fit.place.x(), fit.place.y(), fit.place.z());

@@ -278,7 +278,7 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
   console.json(result.dump(2));
 }
 
-// In the window of bodkin-app. A case that is none is refused here, in one sentence.
+// In the window of bodkin-app. A folder without a case is refused here, in one sentence.
 [[noreturn]] void show_live(const UltrasoundArguments& arguments, const station::UltrasoundRequest& request) {
   require_window();
   io::read_case_description(arguments.folder);

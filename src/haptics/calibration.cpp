@@ -24,7 +24,7 @@ constexpr double largest_unrest = 5.0;      // deg
 constexpr double shortest_stroke = 40.0;    // mm
 constexpr double straightness = 4.0;        // times as long as wide
 constexpr double largest_weight = 5.0;      // N
-constexpr double smallest_weight = 0.02;    // N, below which it is none
+constexpr double smallest_weight = 0.02;    // N; less is taken for no weight
 constexpr double least_follow_share = 0.2;  // of the way asked for
 
 [[noreturn]] void refuse(const char* what, double found, const char* rest) {

@@ -14,8 +14,8 @@ DeviceFault fault_from(int result) noexcept;
 
 DeviceAbilities abilities_from(const bodkin_abilities& abilities);
 
-// Fills `state` in place. A pose that is not finite, farther than 10 m away, or whose rotation is none, is bad_data:
-// the hand then stays where it was.
+// Fills `state` in place. A pose that is not finite, farther than 10 m away, or whose matrix is not a rotation, is
+// bad_data: the hand then stays where it was.
 void read_state(const bodkin_state& from, DeviceState& state) noexcept;
 
 // A wrench that is not finite commands nothing.

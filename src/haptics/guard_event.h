@@ -34,11 +34,11 @@ enum class GuardReason : std::uint8_t {
   stale,        // the simulation is late: the force is held
   fresh_again,  // and has come back
   // faults: no force until the user arms again
-  not_finite,         // the controller asked for a force that is no number
+  not_finite,         // the controller asked for a force that is not a number
   stale_fault,        // the simulation has been silent for too long
   controller_failed,  // the controller threw
   device_fault,       // see GuardEvent::device_fault
-  bad_pose,           // the device reports a pose that is no number
+  bad_pose,           // the device reports a pose that is not a number
   jump,               // the device's pose jumped
   too_fast,
   frozen,       // the device's readings have stopped while it pushes
@@ -51,11 +51,11 @@ enum class GuardReason : std::uint8_t {
   thermal,          // the mean load
   hot,              // the temperature that the device reports
   workspace,        // outside the usable workspace
-  calming,          // oscillation: the force is halved
+  halved,           // oscillation: the force is halved
   damping,          // it goes on: a quarter of the force, with damping
   stale_decay,      // held for too long: the force fades
   moving,           // cause of `refused`: the hand is not at rest
-  pulling,          // cause of `refused`: a force is waiting
+  pulling,          // cause of `refused`: a force would act at once
   count_of_reasons  // not a reason
 };
 

@@ -97,7 +97,7 @@ void HandGuard::end_force(bool at_once) noexcept {
   fading_ = applied_;
   faded_ = at_once ? 1.0 : 0.0;
   ramp_ = 0.0;
-  calming_.reset();
+  reduction_.reset();
   arming_for_ = -1.0;
 }
 
@@ -134,7 +134,7 @@ void HandGuard::ramp_from_zero() noexcept {
   round_trips_.reset();
   swings_.reset();
   turns_.reset();
-  calming_.reset();
+  reduction_.reset();
 }
 
 // A simulation that is late is bridged for a while.
@@ -169,16 +169,16 @@ void HandGuard::watch_hand(double dt) noexcept {
   watch_shaking(dt);
 }
 
-void HandGuard::calm(Calming::Step step) noexcept {
+void HandGuard::calm(ForceReduction::Step step) noexcept {
   switch (step) {
-    case Calming::Step::none:
+    case ForceReduction::Step::none:
       return;
-    case Calming::Step::softer:
-      return limit_by(GuardReason::calming, calming_.shaking().frequency, 0.0);
-    case Calming::Step::damped:
-      return limit_by(GuardReason::damping, calming_.shaking().frequency, 0.0);
-    case Calming::Step::none_left:
-      return fail(GuardReason::oscillation, calming_.shaking().frequency);
+    case ForceReduction::Step::softer:
+      return limit_by(GuardReason::halved, reduction_.shaking().frequency, 0.0);
+    case ForceReduction::Step::damped:
+      return limit_by(GuardReason::damping, reduction_.shaking().frequency, 0.0);
+    case ForceReduction::Step::none_left:
+      return fail(GuardReason::oscillation, reduction_.shaking().frequency);
   }
 }
 
@@ -229,21 +229,21 @@ Shaking HandGuard::find_shaking(double dt) noexcept {
 
 // Whether the force shakes the hand. Called while armed.
 void HandGuard::watch_shaking(double dt) noexcept {
-  calm(calming_.step(motion_.moved(), lever * motion_.turned(), dt));
+  calm(reduction_.step(motion_.moved(), lever * motion_.turned(), dt));
   if (!is_armed()) return;
   const Shaking seen = find_shaking(dt);
-  if (seen.frequency == 0.0 || calming_.is_watching()) return;
-  calm(calming_.begin(seen));
+  if (seen.frequency == 0.0 || reduction_.is_watching()) return;
+  calm(reduction_.begin(seen));
   swings_.reset();
   turns_.reset();
 }
 
 // N s/mm with which a hand that goes on shaking is damped: none where it would come so late that it drives the hand.
 double HandGuard::calming_damping() const noexcept {
-  if (!calming_.damps()) return 0.0;
+  if (!reduction_.damps()) return 0.0;
   const double period = settings_.dt * (settings_.sent_with_next_tick ? 1.0 : 0.0);
   const double late = settings_.delay + period + 2.0 * settings_.dt;  // half a hold, half of 3 ms of velocity
-  return 2.0 * std::numbers::pi * calming_.shaking().frequency * late < useful_phase ? settings_.damping : 0.0;
+  return 2.0 * std::numbers::pi * reduction_.shaking().frequency * late < useful_phase ? settings_.damping : 0.0;
 }
 
 // Everything that ends the force.
@@ -352,20 +352,20 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
     if (share < 1.0) limit_by(GuardReason::stale_decay, input.age, decay_after);
     wanted = scaled(held_, share);
   } else {
-    wanted = scaled(input.wanted, ramp_ * calming_.share());
+    wanted = scaled(input.wanted, ramp_ * reduction_.share());
   }
   const double inside = workspace_share(device.hand.translation());
   const Vec3 wished = inside * wanted.force;
   // A force that is on its way to zero is not held up by damping.
-  const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * calming_.share() * inside;
+  const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * reduction_.share() * inside;
   // What shakes is damped: the hand, or the tool's turning as the motion of the end of its lever.
   const double calmed = calming_damping();
-  const bool turns = calming_.shaking().turns && settings_.peak_torque > 0.0;
+  const bool turns = reduction_.shaking().turns && settings_.peak_torque > 0.0;
   const Vec3 turn_damping = (turns ? alive * calmed * lever * lever : 0.0) * motion_.recent_turning();
   wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive, turns ? 0.0 : calmed),
             inside * wanted.torque - turn_damping};
   damped_ = wanted.force - wished;
-  if (!passivity_.damping().isZero(0.0) && !calming_.damps())
+  if (!passivity_.damping().isZero(0.0) && !reduction_.damps())
     limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);
   carried_ = input.weight * alive;
   wanted.force += carried_;

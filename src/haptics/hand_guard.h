@@ -5,8 +5,8 @@
 
 #include "core/geometry.h"
 #include "haptics/axis_passivity.h"
-#include "haptics/calming.h"
 #include "haptics/device.h"
+#include "haptics/force_reduction.h"
 #include "haptics/guard_event.h"
 #include "haptics/guard_settings.h"
 #include "haptics/held_force.h"
@@ -87,7 +87,7 @@ class HandGuard {
   Shaking find_shaking(double dt) noexcept;
   void watch_shaking(double dt) noexcept;
   void watch_range(double dt) noexcept;
-  void calm(Calming::Step step) noexcept;
+  void calm(ForceReduction::Step step) noexcept;
   double calming_damping() const noexcept;
   void watch_age(double age) noexcept;
   void try_to_arm(const DeviceState& device, const GuardInput& input, double dt) noexcept;
@@ -111,7 +111,7 @@ class HandGuard {
   OscillationWatch fast_, driven_, slow_;
   RoundTripWatch round_trips_;
   SwingWatch swings_, turns_;  // of the hand's position, and of its orientation as the motion of a point on a lever
-  Calming calming_;
+  ForceReduction reduction_;
   GuardState state_ = GuardState::disarmed;
   GuardReason fault_ = GuardReason::none;
   GuardEvents events_;

@@ -12,7 +12,7 @@ namespace bodkin::haptics {
 // whole.
 class LatencyHistogram {
  public:
-  // `seconds`: less than 1 ns counts as 0, what is no number as longer than everything.
+  // `seconds`: less than 1 ns counts as 0, NaN as longer than everything.
   void record(double seconds) noexcept;
   void reset() noexcept { *this = LatencyHistogram(); }
 

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "haptics/deadline_clock.h"
 #include "haptics/tick_clock.h"
 
@@ -18,13 +18,6 @@ namespace {
 
 double seconds(std::int64_t nanoseconds) noexcept {
   return static_cast<double>(nanoseconds) * 1e-9;
-}
-
-void require_of_servo(bool holds, const char* what, double value, const char* expected) {
-  if (holds) return;
-  std::ostringstream text;
-  text << "servo: " << what << " is " << value << " s, expected " << expected;
-  throw InputError(text.str());
 }
 
 }  // namespace
@@ -51,11 +44,9 @@ struct ServoThread::Shared {
 };
 
 ServoThread::ServoThread(const ServoThreadSettings& settings, Exchange exchange, Tick tick) : settings_(settings) {
-  require_of_servo(settings.period >= 0.00025 && settings.period <= 0.005, "the period", settings.period,
-                   "0.00025 to 0.005 s");
-  require_of_servo(settings.patience > 0.0 && settings.patience <= 60.0, "the patience of stop()", settings.patience,
-                   "more than 0 and at most 60 s");
-  require_of_servo(settings.stall_after > 0.0, "the time of a stall", settings.stall_after, "more than 0 s");
+  check_range("servo", "period", settings.period, {0.00025, 0.005}, "s");
+  check_range("servo", "patience of stop()", settings.patience, above(0.0, 60.0), "s");
+  check_range("servo", "time of a stall", settings.stall_after, {0.0, unbounded, false, false}, "s");
   if (!exchange || !tick) throw InputError("servo: a function is missing, expected an exchange and a tick");
   shared_ = std::make_shared<Shared>(settings, std::move(exchange), std::move(tick));
 }

@@ -33,7 +33,7 @@ class ServoThread {
   // not throw.
   using Tick = std::function<Wrench(const DeviceState& state, double dt, double lateness)>;
 
-  // Throws InputError for settings that cannot be and functions that are none.
+  // Throws InputError for settings out of their ranges and empty functions.
   ServoThread(const ServoThreadSettings& settings, Exchange exchange, Tick tick);
   ~ServoThread();  // stop()
   ServoThread(const ServoThread&) = delete;

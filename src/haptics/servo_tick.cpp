@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::haptics {
 
@@ -16,10 +16,8 @@ constexpr int recent_ticks = 100;
 
 // The period in s. Throws InputError for a rate outside the servo's range.
 double checked_period(double rate) {
-  if (rate >= 200.0 && rate <= 4000.0) return 1.0 / rate;
-  std::ostringstream text;
-  text << "servo: the rate is " << rate << " Hz, expected 200 to 4000 Hz";
-  throw InputError(text.str());
+  check_range("servo", "rate", rate, {200.0, 4000.0}, "Hz");
+  return 1.0 / rate;
 }
 
 GuardSettings with_period(GuardSettings settings, double period) {
@@ -54,12 +52,8 @@ ServoTick::ServoTick(const ServoSettings& settings, Controller controller, TickC
       clutch_button_{.number = settings.clutch_button},
       freeze_button_{.number = settings.freeze_button} {
   if (!controller_) throw InputError("servo: the controller is empty, expected a function that returns the force");
-  if (!(settings.weight >= 0.0 && settings.weight <= 5.0)) {
-    std::ostringstream text;
-    text << "servo: the weight of the handle is " << settings.weight << " N, expected 0 to 5 N";
-    throw InputError(text.str());
-  }
-  if (!(grasp_time_ > 0.0)) throw InputError("servo: the grasp time is 0 s or less, expected more than 0 s");
+  check_range("servo", "weight of the handle", settings.weight, {0.0, 5.0}, "N");
+  check_range("servo", "grasp time", grasp_time_, {0.0, unbounded, false, false}, "s");
 }
 
 void ServoTick::apply_commands() noexcept {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "core/error.h"
 #include "core/random.h"
 #include "core/repeatable.h"
 #include "core/rotation.h"
+#include "core/settings_check.h"
 
 namespace bodkin::haptics {
 
@@ -17,13 +16,6 @@ namespace {
 constexpr double per_newton = 1000.0;
 constexpr double least_stiffness = 0.05, most_stiffness = 20.0;  // N/mm
 constexpr double most_damping = 1.0;                             // N s/mm
-
-void check_range(const char* name, const char* unit, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  std::ostringstream sentence;
-  sentence << "the hand's " << name << " is " << value << ' ' << unit << ", expected " << low << " to " << high;
-  throw InputError(sentence.str());
-}
 
 Pose turned(const Vec3& turn, const Pose& pose) noexcept {
   Pose result = pose;
@@ -35,14 +27,15 @@ Pose turned(const Vec3& turn, const Pose& pose) noexcept {
 }  // namespace
 
 void check(const HandParameters& parameters) {
-  check_range("mass", "kg", parameters.mass, 0.02, 5.0);
-  check_range("stiffness", "N/mm", parameters.stiffness, least_stiffness, most_stiffness);
-  check_range("damping", "N s/mm", parameters.damping, 0.0, most_damping);
-  check_range("inertia", "kg mm^2", parameters.inertia, 10.0, 1e5);
-  check_range("rotation stiffness", "N mm/rad", parameters.rotation_stiffness, 10.0, 1e6);
-  check_range("rotation damping", "N mm s/rad", parameters.rotation_damping, 0.0, 1e5);
-  check_range("tremor", "mm", parameters.tremor, 0.0, 5.0);
-  check_range("tremor of the angle", "rad", parameters.tremor_angle, 0.0, 0.2);
+  constexpr auto origin = "simulated hand";
+  check_range(origin, "mass", parameters.mass, {0.02, 5.0}, "kg");
+  check_range(origin, "stiffness", parameters.stiffness, {least_stiffness, most_stiffness}, "N/mm");
+  check_range(origin, "damping", parameters.damping, {0.0, most_damping}, "N s/mm");
+  check_range(origin, "inertia", parameters.inertia, {10.0, 1e5}, "kg mm^2");
+  check_range(origin, "rotation stiffness", parameters.rotation_stiffness, {10.0, 1e6}, "N mm/rad");
+  check_range(origin, "rotation damping", parameters.rotation_damping, {0.0, 1e5}, "N mm s/rad");
+  check_range(origin, "tremor", parameters.tremor, {0.0, 5.0}, "mm");
+  check_range(origin, "tremor of the angle", parameters.tremor_angle, {0.0, 0.2}, "rad");
 }
 
 SimulatedHand::SimulatedHand(const HandParameters& parameters, double dt, std::uint64_t seed)

@@ -47,7 +47,7 @@ class SimulatedHand {
   const Pose& step(const Pose& intended, const Wrench& on_hand) noexcept;
 
   // The hand is held otherwise from now on: k and c, within the ranges of HandParameters (clamped), and the person
-  // means the tip to be at `intended`, which is no movement.
+  // means the tip to be at `intended`, which moves nothing.
   void set_grip(double stiffness, double damping, const Vec3& intended) noexcept;
 
   const Pose& needle() const noexcept { return needle_; }

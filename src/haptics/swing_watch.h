@@ -27,7 +27,7 @@ namespace bodkin::haptics {
 // step() is noexcept and allocates nothing.
 class SwingWatch {
  public:
-  // `least`: mm from turning point to turning point that are no noise.
+  // `least`: mm from turning point to turning point; less is noise.
   explicit SwingWatch(double least) noexcept : least_(least) {}
 
   // `moved`: mm since the last tick, `dt` s ago. True in the tick of a turning point with which the shaking is found.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
 
-#include "core/error.h"
 #include "core/rotation.h"
+#include "core/settings_check.h"
 
 namespace bodkin::haptics {
 
@@ -17,31 +17,29 @@ bool is_rotation(const Mat3& turn, double slack) noexcept {
   return (turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() <= slack && turn.determinant() > 0.0;
 }
 
-void require(bool holds, const char* what, double value, const char* expected) {
-  if (holds) return;
-  std::ostringstream text;
-  text << "workspace: " << what << " is " << value << ", expected " << expected << "; correct the device's profile";
-  throw InputError(text.str());
+constexpr auto of_workspace = "workspace";
+
+// Throws InputError unless the matrix is a rotation, NaN included.
+void check_rotation(const Mat3& turn, const std::string& what) {
+  if (is_rotation(turn, rotation_slack)) return;
+  refuse_setting(of_workspace,
+                 "the determinant of the " + what + " is " + number_words(turn.determinant()) +
+                     ", expected three perpendicular unit axes, right-handed; correct the device's profile");
 }
 
 }  // namespace
 
 void check(const WorkspaceSettings& settings) {
-  require(is_rotation(settings.rotation, rotation_slack), "the determinant of the rotation",
-          settings.rotation.determinant(), "three perpendicular unit axes, right-handed");
-  require(is_rotation(settings.tool_rotation, rotation_slack), "the determinant of the tool's rotation",
-          settings.tool_rotation.determinant(), "three perpendicular unit axes, right-handed");
-  require(settings.centre.allFinite(), "the centre", settings.centre.norm(), "finite coordinates");
-  require(settings.hand_middle.norm() <= 3500.0, "the distance of its middle", settings.hand_middle.norm(),
-          "at most 3500 mm");
-  require(settings.tip_offset.norm() <= 1000.0, "the tip's offset", settings.tip_offset.norm(), "at most 1000 mm");
-  require(settings.scale >= 0.1 && settings.scale <= 10.0, "the scale", settings.scale, "0.1 to 10");
-  require(settings.force_scale >= 0.01 && settings.force_scale <= 1.0, "the force scale", settings.force_scale,
-          "0.01 to 1");
-  require(settings.body_speed > 0.0 && settings.body_speed <= 1000.0, "the body's speed", settings.body_speed,
-          "more than 0 and at most 1000 mm/s");
-  require(settings.body_turn > 0.0 && settings.body_turn <= 10.0, "the body's turn", settings.body_turn,
-          "more than 0 and at most 10 rad/s");
+  check_rotation(settings.rotation, "rotation");
+  check_rotation(settings.tool_rotation, "tool's rotation");
+  for (int axis = 0; axis < 3; ++axis)
+    check_range(of_workspace, "coordinate of the centre", settings.centre[axis], any_number, "mm");
+  check_range(of_workspace, "distance of the middle", settings.hand_middle.norm(), {0.0, 3500.0}, "mm");
+  check_range(of_workspace, "offset of the tip", settings.tip_offset.norm(), {0.0, 1000.0}, "mm");
+  check_range(of_workspace, "scale", settings.scale, {0.1, 10.0}, "");
+  check_range(of_workspace, "force scale", settings.force_scale, {0.01, 1.0}, "");
+  check_range(of_workspace, "speed of the body", settings.body_speed, above(0.0, 1000.0), "mm/s");
+  check_range(of_workspace, "turning speed of the body", settings.body_turn, above(0.0, 10.0), "rad/s");
 }
 
 WorkspaceMap::WorkspaceMap(const WorkspaceSettings& settings)

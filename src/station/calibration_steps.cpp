@@ -86,9 +86,9 @@ std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device) {
   return steps;
 }
 
-CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing,
+CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::CalibrationController& controller,
                                    const CalibrationSettings& settings, CalibrationPerson person)
-    : servo_(servo), weighing_(weighing), settings_(settings), person_(std::move(person)) {}
+    : servo_(servo), controller_(controller), settings_(settings), person_(std::move(person)) {}
 
 void CalibrationSteps::require_sound() {
   if (person_.gives_up && person_.gives_up()) throw CalibrationGivenUp();
@@ -134,7 +134,7 @@ Vec3 CalibrationSteps::place() const {
 
 // N that carry the handle at rest, `away` from its first place, after `glide` s.
 Vec3 CalibrationSteps::carried_force(const Vec3& away, double glide, std::string_view stage) {
-  weighing_.carry(away);
+  controller_.carry(away);
   watch(glide, stage, false);
   Vec3 sum = Vec3::Zero();
   int count = 0;
@@ -165,7 +165,7 @@ void CalibrationSteps::bring_force_in() {
 // What is measured is the way of a command through our loop and the device; ours is known, and the rest is the
 // device's.
 void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
-  haptics::DelayProbe& probe = weighing_.delay_probe();
+  haptics::DelayProbe& probe = controller_.delay_probe();
   if (probe.is_over()) throw InputError("the delay was measured already; start again to measure it anew");
   bring_force_in();
   probe.begin();

@@ -8,9 +8,9 @@
 
 #include "core/progress.h"
 #include "haptics/calibration.h"
+#include "haptics/calibration_controller.h"
 #include "haptics/device_calibration.h"
 #include "haptics/device_servo.h"
-#include "haptics/weighing.h"
 
 namespace bodkin::station {
 
@@ -50,9 +50,9 @@ struct CalibrationPerson {
 // Leads a person through the steps with an open device, and keeps what they came to.
 class CalibrationSteps {
  public:
-  // The servo runs; its controller is `weighing`.
-  CalibrationSteps(haptics::DeviceServo& servo, haptics::Weighing& weighing, const CalibrationSettings& settings,
-                   CalibrationPerson person);
+  // The servo runs; its controller is `controller`.
+  CalibrationSteps(haptics::DeviceServo& servo, haptics::CalibrationController& controller,
+                   const CalibrationSettings& settings, CalibrationPerson person);
 
   // Says what to do, waits for the person or the countdown, measures. Throws InputError where the readings do not
   // do, SystemError when the device fails, and
@@ -74,7 +74,7 @@ class CalibrationSteps {
   void require_sound();
 
   haptics::DeviceServo& servo_;
-  haptics::Weighing& weighing_;
+  haptics::CalibrationController& controller_;
   CalibrationSettings settings_;
   CalibrationPerson person_;
 };

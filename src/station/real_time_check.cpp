@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "haptics/calibration_controller.h"
 #include "haptics/deadline_clock.h"
-#include "haptics/weighing.h"
 
 namespace bodkin::station {
 
@@ -36,7 +36,7 @@ double measuring_force(const DeviceChoice& choice, const haptics::DeviceAbilitie
                        const std::function<void(const std::string& sentence)>& note) {
   const std::string warning = holds_a_hand(choice, device) ? real_time_warning(allow_late) : "";
   if (!warning.empty() && note) note(warning);
-  const double usual = haptics::Weighing::force_limit;
+  const double usual = haptics::CalibrationController::force_limit;
   return warning.empty() || allow_late ? usual : std::min(usual, late_force);
 }
 

@@ -26,8 +26,9 @@ std::string real_time_warning(bool allowed);
 bool is_kept_low(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
                  const char* whose, StationObserver& observer);
 
-// N that the motors may give at most while a device is weighed and its delay measured: Weighing::force_limit, or
-// late_force where a hand is held and the system may hold up the servo. Then `note` is told, unless it is empty.
+// N that the motors may give at most while a device is weighed and its delay measured:
+// CalibrationController::force_limit, or late_force where a hand is held and the system may hold up the servo. Then
+// `note` is told, unless it is empty.
 double measuring_force(const DeviceChoice& choice, const haptics::DeviceAbilities& device, bool allow_late,
                        const std::function<void(const std::string& sentence)>& note);
 

@@ -144,7 +144,7 @@ TEST(DelayedLoop, a_hand_that_shakes_on_any_axis_has_no_force_within_a_tenth_of_
         state.hand.translation()[axis] += wide * std::sin(6.2832 * hertz * time);
         const Wrench& applied = loop.guard.step(state, {.wanted = {push, Vec3::Zero()}, .dt = 0.001});
         for (const GuardEvent& event : loop.guard.events()) {
-          if (event.reason == GuardReason::calming) calmed = time;
+          if (event.reason == GuardReason::halved) calmed = time;
         }
         if (calmed > 0.0 && applied.force.isZero(0.0)) zero = time;
       }

@@ -44,7 +44,7 @@ Steps shake_on(GuardRig& rig, const std::function<Pose(double)>& hand, const std
     rig.device.hand = hand(time);
     rig.device.hand.translation() += start;
     const Wrench& applied = rig.tick(wanted(time));
-    if (seen.softer == 0.0 && rig.count(GuardReason::calming) > 0) seen.softer = time;
+    if (seen.softer == 0.0 && rig.count(GuardReason::halved) > 0) seen.softer = time;
     if (seen.damped == 0.0 && rig.count(GuardReason::damping) > 0) seen.damped = time;
     if (seen.ended == 0.0 && rig.count(GuardReason::oscillation) > 0) seen.ended = time;
     if ((seen.softer > 0.0 || !rig.guard.is_armed()) && applied.force.isZero(0.0) && applied.torque.isZero(0.0))
@@ -60,7 +60,7 @@ void expect_all_steps(const GuardRig& rig, const Steps& seen, const std::string&
   EXPECT_GT(seen.zero, seen.damped) << what;
   EXPECT_LE(seen.zero - seen.softer, within + 1e-4) << what;
   EXPECT_LE(seen.zero - seen.ended, 0.0201) << what;
-  EXPECT_EQ(rig.count(GuardReason::calming), 1) << what;
+  EXPECT_EQ(rig.count(GuardReason::halved), 1) << what;
   EXPECT_EQ(rig.count(GuardReason::damping), 1) << what;
   EXPECT_EQ(rig.count(GuardReason::oscillation), 1) << what;
   EXPECT_EQ(rig.guard.fault(), GuardReason::oscillation) << what;
@@ -298,7 +298,7 @@ TEST(HandGuardShaking, a_shaking_hand_gets_half_the_force_and_then_none) {
   rig.push({0.0, 0.0, 3.0});
   shake(rig, 45.0, 0.3, 0.09);
   EXPECT_NEAR(rig.guard.applied().force.z(), 1.5, 1e-9);
-  EXPECT_EQ(rig.count(GuardReason::calming), 1);
+  EXPECT_EQ(rig.count(GuardReason::halved), 1);
   shake(rig, 45.0, 0.3, 0.1);
   EXPECT_EQ(rig.guard.fault(), GuardReason::oscillation);
   EXPECT_TRUE(rig.guard.applied().force.isZero(0.0));
@@ -307,7 +307,7 @@ TEST(HandGuardShaking, a_shaking_hand_gets_half_the_force_and_then_none) {
 TEST(HandGuardShaking, half_the_force_becomes_the_whole_again_when_the_hand_was_quiet_for_ten_seconds) {
   GuardRig rig(undamped());
   rig.push({0.0, 0.0, 3.0});
-  for (int i = 0; i < 200 && rig.count(GuardReason::calming) == 0; ++i) {
+  for (int i = 0; i < 200 && rig.count(GuardReason::halved) == 0; ++i) {
     rig.device.hand.translation().z() = 0.3 * wave(60.0, 0.001 * i);
     rig.tick(Vec3(0.0, 0.0, 3.0));
   }

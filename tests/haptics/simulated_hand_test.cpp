@@ -172,7 +172,7 @@ TEST(SimulatedHand, a_parameter_out_of_range_is_named_with_its_range) {
     SimulatedHand hand(parameters, one_tick, 1);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "the hand's stiffness is -1 N/mm, expected 0.05 to 20");
+    EXPECT_STREQ(error.what(), "simulated hand: stiffness is -1 N/mm, expected 0.05 to 20 N/mm");
   }
   parameters = {};
   parameters.mass = std::numeric_limits<double>::quiet_NaN();

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "haptics/calming.h"
+#include "haptics/force_reduction.h"
 #include "haptics/tremor.h"
 
 namespace bodkin {
@@ -148,36 +148,37 @@ TEST(SwingWatch, a_tremor_does_not_last) {
   }
 }
 
-TEST(Calming, takes_a_step_every_25_ms_while_the_hand_goes_on) {
-  Calming calming;
-  EXPECT_EQ(calming.begin({22.0, 2.0}), Calming::Step::softer);
-  EXPECT_DOUBLE_EQ(calming.share(), 0.5);
+TEST(ForceReduction, takes_a_step_every_25_ms_while_the_hand_goes_on) {
+  ForceReduction reduction;
+  EXPECT_EQ(reduction.begin({22.0, 2.0}), ForceReduction::Step::softer);
+  EXPECT_DOUBLE_EQ(reduction.share(), 0.5);
   std::vector<int> steps;
   for (int i = 1; i <= 100; ++i) {
     const double place = std::sin(6.2832 * 22.0 * 0.001 * i), before = std::sin(6.2832 * 22.0 * 0.001 * (i - 1));
-    const Calming::Step step = calming.step(Vec3(0.0, place - before, 0.0), Vec3::Zero(), one_tick);
-    EXPECT_EQ(calming.damps(), step == Calming::Step::damped || !steps.empty());
-    if (step != Calming::Step::none) steps.push_back(i);
-    if (step == Calming::Step::none_left) break;
+    const ForceReduction::Step step = reduction.step(Vec3(0.0, place - before, 0.0), Vec3::Zero(), one_tick);
+    EXPECT_EQ(reduction.damps(), step == ForceReduction::Step::damped || !steps.empty());
+    if (step != ForceReduction::Step::none) steps.push_back(i);
+    if (step == ForceReduction::Step::none_left) break;
   }
   EXPECT_EQ(steps, (std::vector<int>{25, 50}));
 }
 
-TEST(Calming, gives_the_force_back_to_a_hand_that_was_calm_for_ten_seconds) {
-  Calming calming;
-  calming.begin({22.0, 2.0});
-  for (int i = 0; i < 9900; ++i) EXPECT_EQ(calming.step(Vec3::Zero(), Vec3::Zero(), one_tick), Calming::Step::none);
-  EXPECT_DOUBLE_EQ(calming.share(), 0.5);
-  for (int i = 0; i < 1200; ++i) calming.step(Vec3::Zero(), Vec3::Zero(), one_tick);
-  EXPECT_DOUBLE_EQ(calming.share(), 1.0);
-  EXPECT_FALSE(calming.is_on());
+TEST(ForceReduction, gives_the_force_back_to_a_hand_that_was_calm_for_ten_seconds) {
+  ForceReduction reduction;
+  reduction.begin({22.0, 2.0});
+  for (int i = 0; i < 9900; ++i)
+    EXPECT_EQ(reduction.step(Vec3::Zero(), Vec3::Zero(), one_tick), ForceReduction::Step::none);
+  EXPECT_DOUBLE_EQ(reduction.share(), 0.5);
+  for (int i = 0; i < 1200; ++i) reduction.step(Vec3::Zero(), Vec3::Zero(), one_tick);
+  EXPECT_DOUBLE_EQ(reduction.share(), 1.0);
+  EXPECT_FALSE(reduction.is_on());
 }
 
-TEST(Calming, a_hand_that_shakes_again_before_loses_the_force) {
-  Calming calming;
-  calming.begin({22.0, 2.0});
-  for (int i = 0; i < 3000; ++i) calming.step(Vec3::Zero(), Vec3::Zero(), one_tick);
-  EXPECT_EQ(calming.begin({22.0, 2.0}), Calming::Step::none_left);
+TEST(ForceReduction, a_hand_that_shakes_again_before_loses_the_force) {
+  ForceReduction reduction;
+  reduction.begin({22.0, 2.0});
+  for (int i = 0; i < 3000; ++i) reduction.step(Vec3::Zero(), Vec3::Zero(), one_tick);
+  EXPECT_EQ(reduction.begin({22.0, 2.0}), ForceReduction::Step::none_left);
 }
 
 }  // namespace

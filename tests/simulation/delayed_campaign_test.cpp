@@ -147,7 +147,7 @@ void perform_trial(DelayedRig& rig, DelayedTally& tally, const std::string& what
   const bool restless = seen.goes_on();
   tally.swung += swings ? 1 : 0;
   tally.restless += restless ? 1 : 0;
-  tally.calmed += rig.count(GuardReason::calming) > 0 ? 1 : 0;
+  tally.calmed += rig.count(GuardReason::halved) > 0 ? 1 : 0;
   tally.ended += rig.count(GuardReason::oscillation) > 0 ? 1 : 0;
   double& most = restless || seen.turns == 0 ? tally.most_created : tally.most_fading;
   most = std::max(most, seen.created);

@@ -87,13 +87,13 @@ bool misbehave(SafetyRig& rig, bool passive, Tally& tally) {
     if (kind == 2) rig.tilt = 0.002 * side * std::sin(0.01 * i);
     if (!step()) return false;
     // The first quarter still has what the hand did before.
-    if (kind == 7 && i == ticks / 4) calmed = rig.count(GuardReason::calming) + rig.count(GuardReason::oscillation);
+    if (kind == 7 && i == ticks / 4) calmed = rig.count(GuardReason::halved) + rig.count(GuardReason::oscillation);
     if (kind == 7) quarters[static_cast<std::size_t>(4 * i / ticks)].add(rig.hand.position);
   }
   if (kind == 7) {
     ++tally.holds;
     if (passive) {
-      tally.calmed_at_rest += rig.count(GuardReason::calming) + rig.count(GuardReason::oscillation) - calmed;
+      tally.calmed_at_rest += rig.count(GuardReason::halved) + rig.count(GuardReason::oscillation) - calmed;
     }
     // From quarter to quarter: a membrane that gives way late in a hold makes the hand swing, but not more and more.
     const double growth = std::min(quarters[2].size() - quarters[1].size(), quarters[3].size() - quarters[2].size());
@@ -146,7 +146,7 @@ TEST(SafetyCampaign, no_hand_on_any_device_in_any_tissue_gets_more_than_the_devi
           "%ld\n",
           name.c_str(), tally.trials, static_cast<unsigned long long>(tally.ticks),
           static_cast<unsigned long long>(tally.armed), tally.largest_share, tally.holds, tally.worst_growth,
-          tally.calmed_at_rest, count(GuardReason::calming), count(GuardReason::oscillation),
+          tally.calmed_at_rest, count(GuardReason::halved), count(GuardReason::oscillation),
           count(GuardReason::too_fast), count(GuardReason::jump), count(GuardReason::workspace),
           count(GuardReason::thermal), count(GuardReason::peak));
     }
@@ -210,7 +210,7 @@ void lean_on_bone(const NamedResistance& resistance, const DeviceProfile& device
     if (rig->given_way == given_way) break;
   }
   all.on_bone += rig->depth() > bone && rig->applied.force.norm() > 0.1 ? 1 : 0;
-  all.calmed += rig->count(GuardReason::calming);
+  all.calmed += rig->count(GuardReason::halved);
   all.ended += rig->state() == GuardState::faulted ? 1 : 0;
   if (resistance.active) {  // documented to give energy: its forces are bounded, its motion is not quiet
     all.most_active_turns = std::max(all.most_active_turns, turns.count());
@@ -219,7 +219,7 @@ void lean_on_bone(const NamedResistance& resistance, const DeviceProfile& device
   all.most_turns = std::max(all.most_turns, turns.count());
   // Creeping on and giving way now and then is no shaking; that would be 30 turns and more.
   EXPECT_LE(turns.count(), 6) << what;
-  EXPECT_EQ(rig->count(GuardReason::calming), 0) << what;
+  EXPECT_EQ(rig->count(GuardReason::halved), 0) << what;
   EXPECT_EQ(rig->state(), GuardState::active) << what << ": " << text_of(rig->servo->snapshot().fault);
 }
 
@@ -273,7 +273,7 @@ TEST(SafetyCampaign, a_wall_that_the_device_cannot_render_is_calmed_or_ended) {
         turns.add(rig.depth());
       }
       EXPECT_LE(turns.count(), 6) << what << ": it is quiet now";
-      shaken += rig.count(GuardReason::calming);
+      shaken += rig.count(GuardReason::halved);
       ended += rig.servo->snapshot().fault == GuardReason::oscillation ? 1 : 0;
     }
   }
@@ -295,7 +295,7 @@ void expect_a_trembling_hand_keeps_its_force(const DeviceProfile& device, double
       rig.aim(1.0 + wide * std::sin(6.283 * hertz * 0.001 * i));
       ASSERT_TRUE(rig.run(1)) << device.name;
     }
-    EXPECT_EQ(rig.count(GuardReason::calming), 0) << device.name << ", " << hertz << " Hz, seed " << seed;
+    EXPECT_EQ(rig.count(GuardReason::halved), 0) << device.name << ", " << hertz << " Hz, seed " << seed;
   }
   EXPECT_EQ(rig.state(), GuardState::active) << device.name;
 }

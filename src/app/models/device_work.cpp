@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "core/utc_time.h"
 #include "haptics/calibration.h"
-#include "haptics/weighing.h"
+#include "haptics/calibration_controller.h"
 #include "io/calibrations_file.h"
 
 namespace bodkin::app {
@@ -134,7 +134,7 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
   show(abilities);
   const std::vector<station::CalibrationStep> steps = station::steps_for(abilities);
   change([&](News& news) { news.steps = steps; });
-  const auto weighing = std::make_shared<haptics::Weighing>();
+  const auto controller = std::make_shared<haptics::CalibrationController>();
   haptics::ServoSettings servo_settings;
   servo_settings.rate = std::clamp(abilities.rate, slowest_rate, fastest_rate);
   const auto note = [this](const std::string& sentence) {
@@ -143,7 +143,7 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
   servo_settings.guard.user_force = station::measuring_force(choice, abilities, late_force_is_allowed(), note);
   servo_settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
   haptics::DeviceServo servo(std::move(port), abilities, servo_settings,
-                             [weighing](const haptics::ControlInput& input) { return weighing->step(input); });
+                             [controller](const haptics::ControlInput& input) { return controller->step(input); });
   servo.start();
   station::CalibrationPerson person;
   person.say = [this](const std::string& sentence) { change([&](News& news) { news.said.push_back(sentence); }); };
@@ -163,7 +163,7 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
     });
     return goes_on_.exchange(false);
   };
-  station::CalibrationSteps guide(servo, *weighing, settings, person);
+  station::CalibrationSteps guide(servo, *controller, settings, person);
   haptics::DeviceCalibration measured;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     change([&](News& news) {

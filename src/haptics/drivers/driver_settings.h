@@ -10,7 +10,8 @@ namespace bodkin::haptics {
 // The "key=value" words that a user gives to a driver; a value with spaces stands in double quotes.
 class DriverSettings {
  public:
-  // Throws DriverFailure{BODKIN_BAD_SETTINGS} for words that are none and for keys not among `known`.
+  // Throws DriverFailure{BODKIN_BAD_SETTINGS} for words that are not of the form key=value and for keys not among
+  // `known`.
   DriverSettings(std::string_view words, std::initializer_list<std::string_view> known);
 
   std::string text(const std::string& key, const std::string& otherwise) const;

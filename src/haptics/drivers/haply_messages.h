@@ -37,7 +37,7 @@ struct HaplyReading {
 // Longest state message, bytes.
 constexpr std::size_t longest_haply_message = 65536;
 
-// Reads state messages of one device and one grip; a grip of "" is none.
+// Reads state messages of one device and one grip; "" stands for no grip.
 class HaplyStateReader {
  public:
   HaplyStateReader(const std::string& device, const std::string& grip);
@@ -47,7 +47,7 @@ class HaplyStateReader {
 
   // Where the next message is to be put: longest_haply_message bytes.
   std::span<char> buffer() noexcept;
-  // Reads the first `size` bytes of the buffer. False for what is no state message: no JSON, a number that is none or
+  // Reads the first `size` bytes of the buffer. False for what is not a state message: not JSON, not a number or one
   // too large, a vector without one of its components.
   bool read(std::size_t size, HaplyReading& reading) noexcept;
 

@@ -129,7 +129,7 @@ class Initialised {
 void check_version(const OpenHapticsLibrary& hd) {
   const std::string version_text = text(hd, version);
   const int major = std::atoi(version_text.c_str());
-  if (major == 0 || major >= oldest_version) return;  // a version that is no number says nothing
+  if (major == 0 || major >= oldest_version) return;  // a version that is not a number says nothing
   throw DriverFailure(BODKIN_WRONG_VERSION, hd.library.path() + " is version " + version_text +
                                                 ", expected 3.0 or newer: install a newer OpenHaptics");
 }

@@ -13,7 +13,7 @@ namespace bodkin::haptics {
 // and friction can be identified: a weak, damped spring to a target that moves at constant speed. Or it gives the
 // pulses of a DelayProbe. One observer sets the target; step() belongs to the servo's thread, is noexcept and
 // allocates nothing. Poses are in the device's frame: use it with an identity workspace.
-class Weighing {
+class CalibrationController {
  public:
   static constexpr double stiffness = 0.05;   // N/mm
   static constexpr double damping = 0.002;    // N s/mm

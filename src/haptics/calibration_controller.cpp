@@ -1,4 +1,4 @@
-#include "haptics/weighing.h"
+#include "haptics/calibration_controller.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 constexpr double smoothing = 0.010;  // s, of the velocity
 }  // namespace
 
-Control Weighing::step(const ControlInput& input) noexcept {
+Control CalibrationController::step(const ControlInput& input) noexcept {
   const Vec3 position = input.needle.translation();
   if (seen_)
     velocity_ += (1.0 - repeatable::exp(-input.dt / smoothing)) * ((position - last_) / input.dt - velocity_);

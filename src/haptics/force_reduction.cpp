@@ -1,4 +1,4 @@
-#include "haptics/calming.h"
+#include "haptics/force_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +26,18 @@ double way_at_a_turn(double frequency, double time) noexcept {
 }
 }  // namespace
 
-void Calming::Reach::add(const Vec3& place) noexcept {
+void ForceReduction::Reach::add(const Vec3& place) noexcept {
   low = low.cwiseMin(place);
   high = high.cwiseMax(place);
 }
 
-void Calming::watch_anew() noexcept {
+void ForceReduction::watch_anew() noexcept {
   since_ = for_ = 0.0;
   place_ = Vec3::Zero();
   window_ = all_ = Reach();
 }
 
-Calming::Step Calming::begin(const Shaking& shaking) noexcept {
+ForceReduction::Step ForceReduction::begin(const Shaking& shaking) noexcept {
   if (is_on()) return Step::none_left;
   share_ = half_force;
   damps_ = false;
@@ -47,7 +47,7 @@ Calming::Step Calming::begin(const Shaking& shaking) noexcept {
   return Step::softer;
 }
 
-Calming::Step Calming::step(const Vec3& moved, const Vec3& turned, double dt) noexcept {
+ForceReduction::Step ForceReduction::step(const Vec3& moved, const Vec3& turned, double dt) noexcept {
   if (!is_on()) return Step::none;
   since_ += dt;
   if (since_ > calm_after) {

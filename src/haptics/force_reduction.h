@@ -17,7 +17,7 @@ struct Shaking {
 // damping; no force. A step is given 25 ms, or 50 where a slow hand just turns, so that a shaking that nothing stops
 // has lost its force within 100 ms. A hand that has been calm for ten seconds gets its force back within one more.
 // All functions are noexcept.
-class Calming {
+class ForceReduction {
  public:
   enum class Step : std::uint8_t { none, softer, damped, none_left };
 
@@ -26,7 +26,7 @@ class Calming {
   // A tick: mm by which the hand, and the end of the lever on which turns are measured, moved since the last one,
   // `dt` s ago. What shook decides which of the two counts. Returns the next step where one is taken.
   Step step(const Vec3& moved, const Vec3& turned, double dt) noexcept;
-  void reset() noexcept { *this = Calming(); }
+  void reset() noexcept { *this = ForceReduction(); }
 
   bool is_on() const noexcept { return share_ < 1.0; }
   bool is_watching() const noexcept { return watching_; }  // the next step depends on what the hand does now
