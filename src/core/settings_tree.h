@@ -108,7 +108,7 @@ void read_values(Settings& settings, const SettingsTree& tree, std::string_view 
 }  // namespace settings_detail
 
 // Reads what the tree states and leaves the rest of `settings` alone. `file` names the tree in messages. Throws
-// InputError for a name that the settings do not have and for a value that is none; ranges are check()'s.
+// InputError for a name that the settings do not have and for a value of another type; ranges are check()'s.
 template <Parameterized Settings>
 void read_settings(Settings& settings, const SettingsTree& tree, std::string_view file) {
   const SettingsTree* place = &tree;

@@ -46,7 +46,7 @@ struct PoseLog {
 std::optional<PoseTrack> track_between(const PoseLog& log, const std::string& name);
 
 // The recorder's log of 3D Slicer's Perk Tutor, <TransformRecorderLog>. `origin` names it in messages. Throws
-// InputError for what is no such log, and for a time or a matrix that is none.
+// InputError for another document, and for a time or a matrix that cannot be read.
 PoseLog parse_recorder_log(std::string_view document, const std::string& origin);
 // The same as a document; times begin at 0, for 3D Slicer keeps six digits of them.
 std::string recorder_log(const PoseLog& log);

@@ -33,7 +33,8 @@ struct ClientStatus {
   std::uint64_t received = 0;     // messages
 };
 
-// "HOST", "HOST:PORT", "[ADDRESS]:PORT". Throws InputError naming `what` for a port that is none.
+// "HOST", "HOST:PORT", "[ADDRESS]:PORT". Throws InputError naming `what` for a port that is not a number from 1 to
+// 65535.
 ClientSettings parse_server(const std::string& text, const std::string& what);
 
 // A client of an OpenIGTLink server on a thread of its own, which connects, reads, and connects again when the

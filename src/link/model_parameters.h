@@ -12,7 +12,7 @@ namespace bodkin::link {
 // "compensation" or the name of a tissue ("skin"), as their one declaration (core/parameter.h) has them.
 
 // JSON: {"model", "part", "parts": names of all, "parameters": [{"name", "value", "unit", "low", "high", "choices",
-// "description", "origin"}]}; a bound that is none is left out. Throws InputError for another part.
+// "description", "origin"}]}; an infinite bound is left out. Throws InputError for another part.
 std::string parameters_json(const forces::ModelSettings& settings, const std::string& part);
 
 // Sets one of them to what `text` says. Throws InputError, and changes nothing, when there is no such part or

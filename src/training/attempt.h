@@ -92,7 +92,7 @@ class Attempt {
   Thresholds thresholds_;
 };
 
-// The description that the session keeps of its case. Throws InputError when it is none.
+// The description that the session keeps of its case. Throws InputError when it cannot be read.
 anatomy::CaseDescription description_of(const session::Session& session);
 
 }  // namespace bodkin::training

@@ -13,7 +13,7 @@ class ExpertSet {
  public:
   // A table in CSV as `bodkin cohort` writes it: one row for each attempt, one column for each metric under its name;
   // other columns are passed over, an empty field is an attempt without that metric. `origin` names it in messages.
-  // Throws InputError for a table without rows, or a field of a metric that is no number.
+  // Throws InputError for a table without rows, or a field of a metric that is not a number.
   static ExpertSet parse(std::string_view text, const std::string& origin);
   static ExpertSet read(const std::filesystem::path& file);
   // The one that comes with Bodkin for a procedure (share/bodkin/experts), if there is one.

@@ -15,7 +15,7 @@ std::filesystem::path own_expert_file(const std::string& procedure);
 
 // The experts that attempts at a procedure are compared with: a person's own where there are some, or else those that
 // come with Bodkin, who were measured with the default thresholds. Experts who were measured with other thresholds
-// than the procedure states are not compared with. Throws InputError for a table of one's own that is none.
+// than the procedure states are not compared with. Throws InputError for a table of one's own that cannot be read.
 std::optional<ExpertSet> experts_of(const Procedure& procedure);
 
 // An expert's attempt on its way into a table.

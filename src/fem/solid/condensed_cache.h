@@ -21,8 +21,8 @@ BodyDigest digest_of(const BodyDescription& body);
 // Writes a condensed body and the digest of what it was made of to one file, whole or not at all. Throws SystemError.
 void save_condensed(const std::filesystem::path& file, const anatomy::CondensedBody& body, const BodyDigest& digest);
 
-// Reads it back, the same to the last bit. Throws InputError, one sentence, when the file is not there, is none of
-// ours, is of another version, is damaged or cut off, or belongs to a body with another digest.
+// Reads it back, the same to the last bit. Throws InputError, one sentence, when the file is not there, is not of
+// this format, is of another version, is damaged or cut off, or belongs to a body with another digest.
 anatomy::CondensedBody load_condensed(const std::filesystem::path& file, const BodyDigest& digest);
 
 // The condensed body from the cache or, when that does not have it, prepared by condense() and put there. `note`

@@ -14,8 +14,8 @@ namespace bodkin::fem {
 void save_factor(const std::filesystem::path& file, const PackedFactor& factor, const BodyDigest& digest);
 
 // The same factor to the last bit, whose numbers stay in the file (MappedFile). All of it is read once, for its
-// checksum. Throws InputError, one sentence, when the file is not there, is none of ours, is of another version, is
-// damaged or cut off, or belongs to a body with another digest.
+// checksum. Throws InputError, one sentence, when the file is not there, is not of this format, is of another
+// version, is damaged or cut off, or belongs to a body with another digest.
 PackedFactor load_factor(const std::filesystem::path& file, const BodyDigest& digest);
 
 // A body that a needle can enter anywhere, with its factor from the cache or, when that does not have it, checked,

@@ -28,8 +28,8 @@ class HttpServer {
   using Handler = std::function<HttpReply(const HttpRequest&)>;
   static constexpr int most_connections = 64;
 
-  // Listens on an IP address; port 0: any that is free. Throws InputError for an address that is none, SystemError
-  // when it cannot listen there.
+  // Listens on an IP address; port 0: any that is free. Throws InputError for a text that is not an address,
+  // SystemError when it cannot listen there.
   HttpServer(const std::string& address, std::uint16_t port, Handler handler);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

@@ -29,8 +29,8 @@ std::string attempt_page(const training::AttemptRecord& attempt, bool has_report
 // One sentence.
 std::string message_page(const std::string& title, const std::string& sentence);
 
-// A text as a part of an address: everything but letters, digits, '-', '_' and '.' as %XX; and back. Nothing for an
-// address that is none.
+// A text as a part of an address: everything but letters, digits, '-', '_' and '.' as %XX; and back. Nothing for a
+// text that cannot be decoded.
 std::string percent_encoded(std::string_view text);
 std::optional<std::string> percent_decoded(std::string_view text);
 

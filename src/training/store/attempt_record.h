@@ -50,7 +50,7 @@ Grade grade_of_name(std::string_view name, const std::string& origin);
 std::string station_name();
 
 // The metrics and findings of a record as JSON, as the store keeps them, and back. Throws InputError naming `origin`
-// for what is no such JSON.
+// for other JSON.
 std::string metrics_json(const AttemptRecord& record);
 std::string findings_json(const AttemptRecord& record);
 void read_metrics(AttemptRecord& record, std::string_view json, const std::string& origin);
