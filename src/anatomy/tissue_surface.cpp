@@ -3,24 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <vector>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::anatomy {
 namespace {
 
 constexpr float half = 0.5F;
 constexpr int margin = 2;  // empty cells around the region, so that its surface closes
-
-void check(const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  std::ostringstream text;
-  text << "tissue surface: " << name << " is " << value << " mm, expected " << low << " to " << high << " mm; change "
-       << name << " to a value in that range";
-  throw InputError(text.str());
-}
 
 std::size_t axis_index(int axis) {
   return static_cast<std::size_t>(axis);
@@ -212,8 +204,8 @@ TissueSet bone_tissues() {
 }
 
 Surface tissue_surface(const TissueVolume& tissues, const TissueSet& region, const TissueSurfaceSettings& settings) {
-  check("edge", settings.edge, 0.2, 20.0);
-  check("smoothing", settings.smoothing, 0.0, 10.0);
+  check_range("tissue surface", "edge", settings.edge, {0.2, 20.0}, "mm");
+  check_range("tissue surface", "smoothing", settings.smoothing, {0.0, 10.0}, "mm");
   if (tissues.empty()) throw InputError("tissue surface: the tissue map is empty; give that of a patient");
   Volume<float> share = shares(tissues, region, settings.edge);
   smooth(share, settings.smoothing);

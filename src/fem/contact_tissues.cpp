@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "core/error.h"
+#include "anatomy/tissue_forces.h"
+#include "core/settings_check.h"
 
 namespace bodkin::fem {
 
@@ -29,17 +30,16 @@ ContactTissues default_contact_tissues() {
 }
 
 void check_contact_tissues(const ContactTissues& tissues) {
-  const auto require = [](double value, double most, std::size_t id, const char* what, const char* unit) {
-    if (value >= 0.0 && value <= most) return;
-    throw InputError("contact: the " + std::string(what) + " of tissue " + std::to_string(id) + " is " +
-                     std::to_string(value) + " " + unit + ", expected 0 to " +
-                     std::to_string(static_cast<int>(most)));
-  };
+  using Declared = anatomy::DeformableTissue;
   for (std::size_t id = 0; id < tissues.size(); ++id) {
-    require(tissues[id].friction, 10.0, id, "friction", "N/mm");
-    require(tissues[id].puncture_force, 100.0, id, "puncture force", "N");
-    require(tissues[id].cutting_force, 100.0, id, "cutting force", "N");
-    require(tissues[id].stiffness, 100.0, id, "contact stiffness", "N/mm");
+    const auto check_as = [id](double Declared::*member, double value) {
+      const DeclaredParameter declared = declaration_of(member);
+      check_range("contact with tissue " + std::to_string(id), declared.name, value, declared.range, declared.unit);
+    };
+    check_as(&Declared::friction, tissues[id].friction);
+    check_as(&Declared::puncture_force, tissues[id].puncture_force);
+    check_as(&Declared::cutting_force, tissues[id].cutting_force);
+    check_as(&Declared::stiffness, tissues[id].stiffness);
   }
 }
 

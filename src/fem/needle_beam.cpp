@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::fem {
 
@@ -12,22 +11,17 @@ namespace {
 
 constexpr double freest_hub = 1e11;  // 1/(N mm): a pinned hub turns by 1 rad for 1e-11 N mm
 
-void check_beam_setting(double value, double low, double high, const char* name, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError("needle beam: the " + std::string(name) + " is " + std::to_string(value) + " " + unit +
-                   ", expected " + std::to_string(low) + " to " + std::to_string(high));
-}
-
 }  // namespace
 
 NeedleBeam::NeedleBeam(const NeedleBeamSettings& settings)
     : settings_(settings),
       compliance_(1.0 / settings.rigidity),
       turning_(settings.hold == anatomy::NeedleHold::pinned ? freest_hub : 0.0) {
+  constexpr auto origin = "needle beam";
   if (!std::isinf(settings.rigidity) || settings.rigidity < 0.0)
-    check_beam_setting(settings.rigidity, 0.1, 1e9, "bending stiffness", "N mm^2");
-  check_beam_setting(settings.length, 5.0, 500.0, "length", "mm");
-  check_beam_setting(settings.cut_offset, 0.0, 2.0, "offset of the cut", "mm");
+    check_range(origin, "bending stiffness", settings.rigidity, {0.1, 1e9}, "N mm^2");
+  check_range(origin, "length", settings.length, {5.0, 500.0}, "mm");
+  check_range(origin, "offset of the cut", settings.cut_offset, {0.0, 2.0}, "mm");
 }
 
 double NeedleBeam::flexibility(double a, double b) const noexcept {

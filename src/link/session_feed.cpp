@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "io/digest.h"
 
 namespace bodkin::link {
@@ -64,8 +65,7 @@ SessionFeed::SessionFeed(Server& server, station::StationObserver& screen,
       steps_(std::move(steps)),
       commands_(ultrasound, std::move(models)) {
   constexpr double highest_rate = 240.0;
-  if (!(rate >= 1.0 && rate <= highest_rate))
-    throw InputError(fmt::format("the rate is {:g} a second, expected 1 to {:g}", rate, highest_rate));
+  check_range("", "rate", rate, {1.0, highest_rate}, "Hz");
 }
 
 std::vector<Vec3> SessionFeed::prepare(const anatomy::Case& patient, const fem::BodyDescription* body) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "simulation/haptic_tick.h"
 
 namespace bodkin::session {
@@ -89,8 +90,7 @@ SecondSample sample_at(const io::PoseTrack& probe, double time, double begin) {
 
 io::PoseLog poses_of(const Session& session, double rate) {
   constexpr double highest = 4000.0;
-  if (!(rate >= 1.0 && rate <= highest))
-    throw InputError(fmt::format("the rate of poses is {:g} a second, expected 1 to {:g}", rate, highest));
+  check_range("poses", "rate", rate, {1.0, highest}, "Hz");
   if (session.ticks.empty()) throw InputError("the session has no tick, expected one in which a needle moved");
   const double dt = session.header.dt;
   io::PoseLog log;

@@ -10,10 +10,9 @@
 #include "session/operator_file.h"
 #include "session/recorder.h"
 #include "session/session_schema.h"
-#include <fmt/format.h>
 
-#include "core/error.h"
 #include "core/random_id.h"
+#include "core/settings_check.h"
 #include "core/utc_time.h"
 #include "haptics/deadline_clock.h"
 #include "haptics/tick_clock.h"
@@ -188,9 +187,7 @@ SessionHeader session_header(const anatomy::Case& patient, const std::filesystem
 
 RunResult run_session(const anatomy::Case& patient, const SessionHeader& header, const RunSettings& settings,
                       const Progress& progress) {
-  if (!(settings.longest >= 1.0 && settings.longest <= 3600.0)) {
-    throw InputError(fmt::format("the longest time is {} s, expected 1 to 3600", settings.longest));
-  }
+  check_range("", "longest time", settings.longest, {1.0, 3600.0}, "s");
   Run run(patient, header, settings, progress);
   RunResult result = run.perform();
   result.last_phase = settings.script.phases[static_cast<std::size_t>(run.last_phase())].name;

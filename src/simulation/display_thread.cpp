@@ -5,15 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::simulation {
 
 namespace {
 
 double checked_rate(double rate) {
-  if (rate >= 1.0 && rate <= 1000.0) return rate;
-  throw InputError("display: " + std::to_string(rate) + " snapshots a second, expected 1 to 1000");
+  check_range("display", "rate", rate, {1.0, 1000.0}, "Hz");
+  return rate;
 }
 
 }  // namespace

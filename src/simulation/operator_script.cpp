@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::simulation {
 
@@ -20,9 +21,8 @@ class Checker {
  public:
   explicit Checker(const std::string& origin) : origin_(origin) {}
 
-  void range(const std::string& what, double value, double low, double high) const {
-    if (value >= low && value <= high) return;
-    fail(sentence(what, " is ", value, ", expected ", low, " to ", high));
+  void range(const std::string& what, double value, const Range& allowed, const char* unit) const {
+    check_range(origin_, what, value, allowed, unit);
   }
   [[noreturn]] void fail(const std::string& fault) const { throw InputError(origin_ + ": " + fault); }
 
@@ -38,22 +38,22 @@ void check_condition(const OperatorCondition& condition, const std::string& phas
         sentence("phase '", phase, "' is followed by phase number ", condition.next, ", but there are ", phases));
   }
   bool any = false;
-  const auto value = [&](const std::optional<double>& given, const char* name, double low, double high) {
+  const auto value = [&](const std::optional<double>& given, const char* name, const Range& range, const char* unit) {
     if (!given) return;
     any = true;
-    checker.range(name + of, *given, low, high);
+    checker.range(name + of, *given, range, unit);
   };
-  value(condition.time, "the time (s)", 0.0, 3600.0);
-  value(condition.travel, "the travel (mm)", 0.0, 1000.0);
-  value(condition.depth_above, "the depth (mm)", -1000.0, 1000.0);
-  value(condition.depth_below, "the depth (mm)", -1000.0, 1000.0);
-  value(condition.remaining_below, "the remaining distance (mm)", -1000.0, 1000.0);
-  value(condition.force_above, "the force (N)", -100.0, 100.0);
-  value(condition.force_below, "the force (N)", -100.0, 100.0);
-  value(condition.force_drop, "the drop of force (N)", 0.01, 100.0);
-  value(condition.hardness_above, "the hardness (N/mm)", 0.001, 1000.0);
-  value(condition.drop_share, "the share of the drop", 0.01, 100.0);
-  value(condition.force_above_share, "the share of the force", 0.01, 100.0);
+  value(condition.time, "time", {0.0, 3600.0}, "s");
+  value(condition.travel, "travel", {0.0, 1000.0}, "mm");
+  value(condition.depth_above, "depth", {-1000.0, 1000.0}, "mm");
+  value(condition.depth_below, "depth", {-1000.0, 1000.0}, "mm");
+  value(condition.remaining_below, "remaining distance", {-1000.0, 1000.0}, "mm");
+  value(condition.force_above, "force", {-100.0, 100.0}, "N");
+  value(condition.force_below, "force", {-100.0, 100.0}, "N");
+  value(condition.force_drop, "drop of force", {0.01, 100.0}, "N");
+  value(condition.hardness_above, "hardness", {0.001, 1000.0}, "N/mm");
+  value(condition.drop_share, "share of the drop", {0.01, 100.0}, "");
+  value(condition.force_above_share, "share of the force", {0.01, 100.0}, "");
   if (condition.has_share() == condition.share_of.empty())
     checker.fail(sentence("a condition of phase '", phase, "' has ",
                           condition.has_share() ? "a share, but of no tissue" : "a tissue, but no share of its force",
@@ -63,15 +63,15 @@ void check_condition(const OperatorCondition& condition, const std::string& phas
 
 void check_phase(const OperatorPhase& phase, int phases, const Checker& checker) {
   const std::string of = " of phase '" + phase.name + "'";
-  checker.range("the speed (mm/s)" + of, phase.speed, -200.0, 200.0);
-  checker.range("the acceleration (mm/s^2)" + of, phase.acceleration, 1.0, 1e5);
-  checker.range("the step (mm)" + of, phase.step, 0.0, 100.0);
-  checker.range("the pause (s)" + of, phase.pause, 0.0, 60.0);
-  checker.range("the tilt (rad)" + of, phase.tilt, -0.8, 0.8);
-  checker.range("the shift (mm)" + of, phase.shift, -100.0, 100.0);
-  checker.range("the twirl (rad)" + of, phase.twirl, 0.0, 12.6);
-  checker.range("the rate of the twirl (Hz)" + of, phase.twirl_rate, 0.1, 5.0);
-  checker.range("the number of times" + of, phase.at_most, 0, 1000);
+  checker.range("speed" + of, phase.speed, {-200.0, 200.0}, "mm/s");
+  checker.range("acceleration" + of, phase.acceleration, {1.0, 1e5}, "mm/s^2");
+  checker.range("step" + of, phase.step, {0.0, 100.0}, "mm");
+  checker.range("pause" + of, phase.pause, {0.0, 60.0}, "s");
+  checker.range("tilt" + of, phase.tilt, {-0.8, 0.8}, "rad");
+  checker.range("shift" + of, phase.shift, {-100.0, 100.0}, "mm");
+  checker.range("twirl" + of, phase.twirl, {0.0, 12.6}, "rad");
+  checker.range("rate of the twirl" + of, phase.twirl_rate, {0.1, 5.0}, "Hz");
+  checker.range("number of times" + of, phase.at_most, {0.0, 1000.0}, "");
   if (phase.until.empty()) checker.fail(sentence("phase '", phase.name, "' never ends, it has no condition"));
   for (const OperatorCondition& condition : phase.until) check_condition(condition, phase.name, phases, checker);
 }
@@ -85,14 +85,14 @@ void check(const OperatorScript& script, const std::string& origin) {
   } catch (const InputError& error) {
     checker.fail(error.what());
   }
-  checker.range("the error of aim (mm)", script.aim_position, 0.0, 50.0);
-  checker.range("the error of the angle (rad)", script.aim_angle, 0.0, 0.5);
-  checker.range("the reaction time (s)", script.reaction, 0.0, 5.0);
-  checker.range("the spread of the reaction time (s)", script.reaction_spread, 0.0, 2.0);
-  checker.range("the unsteadiness", script.unsteadiness, 0.0, 2.0);
-  checker.range("the wander (mm)", script.wander, 0.0, 20.0);
-  checker.range("the wander of the angle (rad)", script.wander_angle, 0.0, 0.5);
-  checker.range("the distance at the start (mm)", script.start_distance, 1.0, 200.0);
+  checker.range("error of aim", script.aim_position, {0.0, 50.0}, "mm");
+  checker.range("error of the angle", script.aim_angle, {0.0, 0.5}, "rad");
+  checker.range("reaction time", script.reaction, {0.0, 5.0}, "s");
+  checker.range("spread of the reaction time", script.reaction_spread, {0.0, 2.0}, "s");
+  checker.range("unsteadiness", script.unsteadiness, {0.0, 2.0}, "");
+  checker.range("wander", script.wander, {0.0, 20.0}, "mm");
+  checker.range("wander of the angle", script.wander_angle, {0.0, 0.5}, "rad");
+  checker.range("distance at the start", script.start_distance, {1.0, 200.0}, "mm");
   if (script.phases.empty()) checker.fail("there is no phase, expected at least one");
   const int phases = static_cast<int>(script.phases.size());
   for (const OperatorPhase& phase : script.phases) {

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "imaging/warped_slice.h"
 
 namespace bodkin::station {
@@ -20,8 +19,8 @@ constexpr double field_spacing = 2.0;  // mm between the points at which tissue'
 constexpr double press_fades = 20.0;   // mm beside the slice, where a probe's layers press no more
 
 double checked_scan_rate(double rate) {
-  if (rate >= 1.0 && rate <= 1000.0) return rate;
-  throw InputError(fmt::format("live ultrasound: {} pictures a second, expected 1 to 1000", rate));
+  check_range("live ultrasound", "rate", rate, {1.0, 1000.0}, "Hz");
+  return rate;
 }
 
 double farthest(std::span<const float> moved) {

@@ -48,7 +48,7 @@ TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_n
       "--second simulated --second-as probe --second-settings 'speed_mm_s=40 depth_mm=15 lateral_mm=35 wait_s=30' ";
   const Outcome thin = bodkin("-q perform patient simulated --body 'moving width_mm=0.5' " + two + "-o thin.bodkin");
   EXPECT_EQ(thin.exit_code, 2) << thin.text();
-  EXPECT_THAT(thin.errors, HasSubstr("probe: its width is 0.5 mm, expected 1 to 200"));
+  EXPECT_THAT(thin.errors, HasSubstr("face of the probe: width is 0.5 mm, expected 1 to 200 mm"));
 
   const Outcome outcome = bodkin(
       "--json perform patient simulated --settings 'speed_mm_s=15 start_mm=75 depth_mm=15 wait_s=0' "

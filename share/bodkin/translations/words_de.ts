@@ -2576,7 +2576,7 @@
         <translation>keine Kraft: %1</translation>
     </message>
     <message>
-        <source>the force has been brought in</source>
+        <source>the full force is on</source>
         <translation>die Kraft ist da</translation>
     </message>
     <message>
@@ -2588,7 +2588,7 @@
         <translation>der Totmannschalter wurde losgelassen</translation>
     </message>
     <message>
-        <source>there was no tick for too long</source>
+        <source>no tick came for too long</source>
         <translation>zu lange kam kein Takt</translation>
     </message>
     <message>
@@ -2600,8 +2600,8 @@
         <translation>die Simulation ist zurück</translation>
     </message>
     <message>
-        <source>a force was asked for that is no number</source>
-        <translation>verlangt wurde eine Kraft, die keine Zahl ist</translation>
+        <source>the requested force is not a number</source>
+        <translation>die verlangte Kraft ist keine Zahl</translation>
     </message>
     <message>
         <source>the simulation has stopped answering</source>
@@ -2616,7 +2616,7 @@
         <translation>das Gerät meldet eine Störung</translation>
     </message>
     <message>
-        <source>the device reports a pose that is no number</source>
+        <source>the device reports a pose that is not a number</source>
         <translation>das Gerät meldet eine Lage, die keine Zahl ist</translation>
     </message>
     <message>
@@ -2628,7 +2628,7 @@
         <translation>die Hand bewegt sich zu schnell</translation>
     </message>
     <message>
-        <source>the device's readings stand still under force</source>
+        <source>the device's readings do not change under force</source>
         <translation>die Messwerte des Geräts stehen unter Kraft still</translation>
     </message>
     <message>
@@ -2636,7 +2636,7 @@
         <translation>die Hand schwingt wieder</translation>
     </message>
     <message>
-        <source>an axis gave more energy than it took</source>
+        <source>an axis returned more energy than it received</source>
         <translation>eine Achse gab mehr Energie ab, als sie nahm</translation>
     </message>
     <message>
@@ -2652,8 +2652,8 @@
         <translation>das Drehmoment übersteigt die Spitze des Geräts</translation>
     </message>
     <message>
-        <source>the motors have had their mean load</source>
-        <translation>die Motoren hatten ihre mittlere Last</translation>
+        <source>the motors have reached their permitted mean load</source>
+        <translation>die Motoren haben ihre zulässige mittlere Last erreicht</translation>
     </message>
     <message>
         <source>the motors are hot</source>
@@ -2668,8 +2668,8 @@
         <translation>die Hand schwingt, die Kraft ist halbiert</translation>
     </message>
     <message>
-        <source>the hand goes on shaking, a quarter of the force is left and the hand is damped</source>
-        <translation>die Hand schwingt weiter, ein Viertel der Kraft bleibt und die Hand wird gedämpft</translation>
+        <source>the hand still shakes: a quarter of the force is left, with damping</source>
+        <translation>die Hand zittert weiter: ein Viertel der Kraft bleibt, mit Dämpfung</translation>
     </message>
     <message>
         <source>the simulation is late, the force fades</source>
@@ -2680,8 +2680,8 @@
         <translation>die Hand ist nicht in Ruhe</translation>
     </message>
     <message>
-        <source>a force is waiting</source>
-        <translation>eine Kraft wartet</translation>
+        <source>a force would act at once</source>
+        <translation>eine Kraft würde sofort wirken</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -4700,10 +4700,6 @@
         <translation>Servo: der Regler ist leer, erwartet: eine Funktion, die die Kraft liefert</translation>
     </message>
     <message>
-        <source>servo: the grasp time is 0 s or less, expected more than 0 s</source>
-        <translation>Servo: die Greifzeit beträgt 0 s oder weniger, erwartet: mehr als 0 s</translation>
-    </message>
-    <message>
         <source>the device gave %1 readings, expected 20 or more; try again</source>
         <translation>das Gerät gab %1 Messwerte, erwartet: 20 oder mehr; versuchen Sie es noch einmal</translation>
     </message>
@@ -5156,14 +5152,6 @@
         <translation>Servo: es kann kein Faden begonnen werden: %1</translation>
     </message>
     <message>
-        <source>servo: the rate is %1 Hz, expected 200 to 4000 Hz</source>
-        <translation>Servo: die Rate beträgt %1 Hz, erwartet: 200 bis 4000 Hz</translation>
-    </message>
-    <message>
-        <source>servo: the weight of the handle is %1 N, expected 0 to 5 N</source>
-        <translation>Servo: das Gewicht des Griffs beträgt %1 N, erwartet: 0 bis 5 N</translation>
-    </message>
-    <message>
         <source>a side of the workspace is not longer than 0 mm, expected a box, or nothing</source>
         <translation>eine Seite des Arbeitsraums ist nicht länger als 0 mm, erwartet: ein Quader, oder nichts</translation>
     </message>
@@ -5210,10 +5198,6 @@
     <message>
         <source>the CT is not in Hounsfield units: soft tissue misses its usual values by %1 on average, expected less than %2; %3</source>
         <translation>das CT ist nicht in Hounsfield-Einheiten: Weichgewebe verfehlt seine üblichen Werte im Mittel um %1, erwartet: weniger als %2; %3</translation>
-    </message>
-    <message>
-        <source>layered compression %1 is %2 mm, expected %3 to %4 mm; choose a value in between</source>
-        <translation>geschichtete Kompression: %1 ist %2 mm, erwartet: %3 bis %4 mm; wählen Sie einen Wert dazwischen</translation>
     </message>
     <message>
         <source>the probe's %1 is %2, expected a direction of finite length that is not zero; give three numbers such as 0 1 0</source>
@@ -6564,10 +6548,6 @@
         <translation>%1 ist keine Einstellung des Ultraschalls; erwartet: DepthMm, GainDb, GainPercent, FrequencyMhz oder FocusMm</translation>
     </message>
     <message>
-        <source>the rate is %1 a second, expected 1 to %2</source>
-        <translation>die Rate ist %1 je Sekunde, erwartet: 1 bis %2</translation>
-    </message>
-    <message>
         <source>the matrix of %1 is no rotation; expected one without scale, shear or mirror</source>
         <translation>die Matrix von %1 ist keine Drehung; erwartet: eine ohne Maßstab, Scherung oder Spiegelung</translation>
     </message>
@@ -6956,14 +6936,6 @@
         <translation>der Segmentierungsfilter gab eine andere Größe zurück</translation>
     </message>
     <message>
-        <source>synthetic shoulder: %1 is %2, expected %3 to %4; choose a value in that range</source>
-        <translation>künstliche Schulter: %1 ist %2, erwartet: %3 bis %4; wählen Sie einen Wert darin</translation>
-    </message>
-    <message>
-        <source>synthetic shoulder: %1 is %2%3, expected %4 to %5%6; choose a value in that range</source>
-        <translation>künstliche Schulter: %1 ist %2%3, erwartet: %4 bis %5%6; wählen Sie einen Wert darin</translation>
-    </message>
-    <message>
         <source>synthetic shoulder: the voxels are too coarse for the space of the joint, expected a smaller spacing or more fluid</source>
         <translation>künstliche Schulter: die Voxel sind zu grob für den Gelenkspalt, erwartet: ein kleinerer Abstand oder mehr Flüssigkeit</translation>
     </message>
@@ -6982,18 +6954,6 @@
     <message>
         <source>synthetic patient: the tissue library has no tissue with id %1, which the patient is made of; add it to the library</source>
         <translation>künstlicher Patient: die Gewebesammlung hat kein Gewebe mit der Nummer %1, aus dem der Patient besteht; fügen Sie es der Sammlung hinzu</translation>
-    </message>
-    <message>
-        <source>synthetic patient: %1, expected %2; choose a value in that range</source>
-        <translation>künstlicher Patient: %1, erwartet: %2; wählen Sie einen Wert darin</translation>
-    </message>
-    <message>
-        <source>the reach is %1 mm, expected 30 to 500</source>
-        <translation>die Reichweite ist %1 mm, erwartet: 30 bis 500</translation>
-    </message>
-    <message>
-        <source>the spacing is %1 mm, expected 5 to 60</source>
-        <translation>der Abstand ist %1 mm, erwartet: 5 bis 60</translation>
     </message>
     <message>
         <source>there is no skin of the patient within %1 mm of the entry; give a larger reach</source>
@@ -7484,10 +7444,6 @@
         <translation>bei %1 s liegt %2 %3 mm vom Eintritt des geplanten Wegs, erwartet: höchstens %4; Bezug muss das CT des Patienten in RAS mm sein</translation>
     </message>
     <message>
-        <source>the rate of poses is %1 a second, expected 1 to %2</source>
-        <translation>die Rate der Lagen ist %1 je Sekunde, erwartet: 1 bis %2</translation>
-    </message>
-    <message>
         <source>the session has no tick, expected one in which a needle moved</source>
         <translation>die Sitzung hat keinen Takt, erwartet: eine, in der sich eine Nadel bewegte</translation>
     </message>
@@ -7648,10 +7604,6 @@
         <translation>Takte fehlen in einer abgeschlossenen Sitzung</translation>
     </message>
     <message>
-        <source>the longest time is %1 s, expected 1 to 3600</source>
-        <translation>die Höchstdauer ist %1 s, erwartet: 1 bis 3600</translation>
-    </message>
-    <message>
         <source>there is no constraint '%1', expected one of %2</source>
         <translation>es gibt keine Führung „%1“, erwartet: eine von %2</translation>
     </message>
@@ -7666,10 +7618,6 @@
     <message>
         <source>embedded_needle: cut_offset_mm is %1, but a %2 needle has no bevel and cuts straight; leave it out, or take a quincke, tuohy or chiba needle</source>
         <translation>embedded_needle: cut_offset_mm ist %1, aber eine %2-Nadel hat keinen Schliff und schneidet gerade; lassen Sie es weg, oder nehmen Sie eine Quincke-, Tuohy- oder Chiba-Nadel</translation>
-    </message>
-    <message>
-        <source>display: %1 snapshots a second, expected 1 to 1000</source>
-        <translation>Anzeige: %1 Bilder je Sekunde, erwartet: 1 bis 1000</translation>
     </message>
     <message>
         <source>the case has no tissues, so there is nothing to feel</source>
@@ -7746,10 +7694,6 @@
     <message>
         <source>the session lacks %1 ticks in a row, expected at most %2; choose another one</source>
         <translation>der Sitzung fehlen %1 Takte nacheinander, erwartet: höchstens %2; wählen Sie eine andere</translation>
-    </message>
-    <message>
-        <source>live ultrasound: %1 pictures a second, expected 1 to 1000</source>
-        <translation>Ultraschall: %1 Bilder je Sekunde, erwartet: 1 bis 1000</translation>
     </message>
     <message>
         <source>--second is the device that holds the needle (serial number %1); expected another</source>
@@ -8876,6 +8820,106 @@
     <message>
         <source>phase '%1' of operator '%2' waits for a share of a force, expected one in N for the patient</source>
         <translation>Phase „%1“ von Bediener „%2“ wartet auf einen Anteil einer Kraft, erwartet wird eine in N für den Patienten</translation>
+    </message>
+    <message>
+        <source>servo</source>
+        <translation>Servo</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>weight of the handle</source>
+        <translation>Gewicht des Griffs</translation>
+    </message>
+    <message>
+        <source>grasp time</source>
+        <translation>Greifzeit</translation>
+    </message>
+    <message>
+        <source>period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>synthetic patient</source>
+        <translation>künstlicher Patient</translation>
+    </message>
+    <message>
+        <source>synthetic shoulder</source>
+        <translation>künstliche Schulter</translation>
+    </message>
+    <message>
+        <source>layered compression</source>
+        <translation>geschichtete Kompression</translation>
+    </message>
+    <message>
+        <source>live ultrasound</source>
+        <translation>Ultraschall</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>longest time</source>
+        <translation>Höchstdauer</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>flexion</source>
+        <translation>Beugung</translation>
+    </message>
+    <message>
+        <source>scoliosis</source>
+        <translation>Skoliose</translation>
+    </message>
+    <message>
+        <source>calcification</source>
+        <translation>Verkalkung</translation>
+    </message>
+    <message>
+        <source>tissue surface</source>
+        <translation>Gewebeoberfläche</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>moving body</source>
+        <translation>bewegter Körper</translation>
+    </message>
+    <message>
+        <source>face of the probe</source>
+        <translation>Fläche der Sonde</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>Arbeitsraum</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>force scale</source>
+        <translation>Maßstab der Kraft</translation>
+    </message>
+    <message>
+        <source>tremor</source>
+        <translation>Zittern</translation>
     </message>
 </context>
 </TS>

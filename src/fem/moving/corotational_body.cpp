@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 #include "fem/solid/element_stiffness.h"
 
 namespace bodkin::fem {
@@ -27,21 +28,16 @@ const BodyDescription& checked_moving_body(const BodyDescription& body) {
   return body;
 }
 
-void check_moving_setting(double value, double low, double high, const char* name, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError(
-      fmt::format("moving body: {} is {} {}, expected {} to {}; set it in that range", name, value, unit, low, high));
-}
-
 CorotationalSettings checked_corotational_settings(const CorotationalSettings& settings) {
-  if (settings.dt != 0.0) check_moving_setting(settings.dt, 1e-5, 1.0, "the step", "s (or 0, for no time)");
-  check_moving_setting(settings.density, 1.0, 30000.0, "the density", "kg/m^3");
-  check_moving_setting(settings.mass_damping, 0.0, 1000.0, "the damping by mass", "1/s");
-  check_moving_setting(settings.stiffness_damping, 0.0, 1.0, "the damping by stiffness", "s");
-  check_moving_setting(settings.gradients.tolerance, 1e-14, 0.5, "the tolerance of conjugate gradients", "");
-  check_moving_setting(settings.gradients.most_iterations, 1, 1e6, "the number of iterations", "");
-  check_moving_setting(settings.most_corrections, 1, 50, "the number of corrections", "");
-  check_moving_setting(settings.balance, 0.0, 1e3, "the balance", "N");
+  constexpr auto origin = "moving body";
+  if (settings.dt != 0.0) check_range(origin, "step", settings.dt, {1e-5, 1.0}, "s");
+  check_range(origin, "density", settings.density, {1.0, 30000.0}, "kg/m^3");
+  check_range(origin, "damping by mass", settings.mass_damping, {0.0, 1000.0}, "1/s");
+  check_range(origin, "damping by stiffness", settings.stiffness_damping, {0.0, 1.0}, "s");
+  check_range(origin, "tolerance of conjugate gradients", settings.gradients.tolerance, {1e-14, 0.5}, "");
+  check_range(origin, "number of iterations", settings.gradients.most_iterations, {1.0, 1e6}, "");
+  check_range(origin, "number of corrections", settings.most_corrections, {1.0, 50.0}, "");
+  check_range(origin, "balance", settings.balance, {0.0, 1e3}, "N");
   return settings;
 }
 

@@ -6,9 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <fmt/format.h>
 
-#include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::fem {
 
@@ -16,12 +15,6 @@ namespace {
 
 constexpr double farthest_probe = 1e5;  // mm; beyond, a sensor failed
 constexpr double least_pull = 1e-6;     // N; less is rounding
-
-void check_probe_face(double value, double low, double high, const char* name) {
-  if (value >= low && value <= high) return;
-  throw InputError(fmt::format("probe: its {} is {} mm, expected {} to {}; measure it on the probe's face", name,
-                               value, low, high));
-}
 
 // Nodes of the faces that belong to one element alone.
 std::vector<bool> on_surface(const anatomy::TetrahedralMesh& mesh) {
@@ -56,12 +49,13 @@ bool is_rigid(const Pose& pose) noexcept {
 ProbePress::ProbePress(const anatomy::TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed,
                        const ProbeFace& face)
     : face_(face) {
-  check_probe_face(face.width, 1.0, 200.0, "width");
-  check_probe_face(face.thickness, 1.0, 100.0, "thickness");
-  check_probe_face(face.reach, 1.0, 100.0, "reach");
+  constexpr auto origin = "face of the probe";
+  check_range(origin, "width", face.width, {1.0, 200.0}, "mm");
+  check_range(origin, "thickness", face.thickness, {1.0, 100.0}, "mm");
+  check_range(origin, "reach", face.reach, {1.0, 100.0}, "mm");
   if (face.radius != 0.0) {
-    check_probe_face(face.radius, 5.0, 500.0, "radius");
-    check_probe_face(face.width, 1.0, 1.9 * face.radius, "width");
+    check_range(origin, "radius", face.radius, {5.0, 500.0}, "mm");
+    check_range(origin, "width", face.width, {1.0, 1.9 * face.radius}, "mm");
   }
   std::vector<bool> free = on_surface(mesh);
   for (const std::uint32_t node : fixed) free[node] = false;

@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::imaging {
 
 namespace {
-
-void check_compression(const char* field, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw InputError(
-      fmt::format("layered compression {} is {:g} mm, expected {:g} to {:g} mm; choose a value in between", field,
-                  value, low, high));
-}
 
 // Young's modulus of the voxel that holds `point`, MPa; outside the volume as of soft tissue.
 double modulus_at(const AcousticVolume& patient, const Vec3& point) noexcept {
@@ -36,8 +27,8 @@ double modulus_at(const AcousticVolume& patient, const Vec3& point) noexcept {
 }  // namespace
 
 LayeredCompression::LayeredCompression(double reach, double spacing) : spacing_(spacing) {
-  check_compression("reach", reach, 10.0, 400.0);
-  check_compression("spacing", spacing, 0.05, 5.0);
+  check_range("layered compression", "reach", reach, {10.0, 400.0}, "mm");
+  check_range("layered compression", "spacing", spacing, {0.05, 5.0}, "mm");
   moduli_.resize(static_cast<std::size_t>(std::ceil(reach / spacing)));
   rest_depths_.resize(moduli_.size() + 1);
   settle_layers(moduli_.size(), 0.0);

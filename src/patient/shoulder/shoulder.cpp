@@ -13,16 +13,10 @@
 #include "core/error.h"
 #include "core/parallel_for.h"
 #include "core/random.h"
+#include "core/settings_check.h"
 
 namespace bodkin::patient {
 namespace {
-
-void require_within(const char* name, double value, double low, double high, const char* unit) {
-  if (value >= low && value <= high) return;
-  throw InputError(
-      fmt::format("synthetic shoulder: {} is {:g}{}, expected {:g} to {:g}{}; choose a value in that range", name,
-                  value, unit, low, high, unit));
-}
 
 // From the left shoulder, as the model has it, to the patient's.
 Vec3 placed(Vec3 point, BodySide side) {
@@ -131,11 +125,12 @@ anatomy::TissueLibrary with_joint_tissues(const anatomy::TissueLibrary& library)
 }
 
 void check_shoulder(const ShoulderParameters& parameters) {
-  require_within("age", parameters.age, 18.0, 95.0, " years");
-  require_within("height", parameters.height, 1.40, 2.05, " m");
-  require_within("weight", parameters.weight, 40.0, 160.0, " kg");
-  require_within("fluid", parameters.fluid, 2.5, 8.0, " mm");
-  require_within("spacing", parameters.spacing, 0.6, 2.0, " mm");
+  constexpr auto origin = "synthetic shoulder";
+  check_range(origin, "age", parameters.age, {18.0, 95.0}, "years");
+  check_range(origin, "height", parameters.height, {1.40, 2.05}, "m");
+  check_range(origin, "weight", parameters.weight, {40.0, 160.0}, "kg");
+  check_range(origin, "fluid", parameters.fluid, {2.5, 8.0}, "mm");
+  check_range(origin, "spacing", parameters.spacing, {0.6, 2.0}, "mm");
 }
 
 ShoulderSizes shoulder_sizes(const ShoulderParameters& parameters) {

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "patient/synthetic/bounded_normal.h"
 #include "patient/synthetic/shapes.h"
 
-#include "core/error.h"
 #include "core/random.h"
+#include "core/settings_check.h"
 
 namespace bodkin::patient {
 namespace {
@@ -53,14 +52,6 @@ double variation(Random& random) {
   return bounded_normal(random, 3.0);
 }
 
-void require(const char* name, double value, double low, double high, const char* unit) {
-  if (value >= low && value <= high) return;
-  std::ostringstream message;
-  message << "synthetic patient: " << name << " is " << value << unit << ", expected " << low << " to " << high
-          << unit << "; choose a value in that range";
-  throw InputError(message.str());
-}
-
 VertebraSize vertebra_size(const VertebraSize& table, double scale, double facet_scale, Random& random) {
   VertebraSize size = table;
   const auto vary = [&](double& value, double percent) {
@@ -94,14 +85,15 @@ double VertebraSize::height() const {
 }
 
 void check_parameters(const LumbarParameters& parameters) {
-  require("age", parameters.age, 18.0, 95.0, " years");
-  require("height", parameters.height, 1.40, 2.05, " m");
-  require("weight", parameters.weight, 40.0, 160.0, " kg");
-  require("flexion", parameters.flexion, 0.0, 1.0, "");
-  require("scoliosis", parameters.scoliosis, -40.0, 40.0, " degrees");
-  require("calcification", parameters.calcification, 0.0, 1.0, "");
-  if (parameters.lesion != 0.0) require("lesion", parameters.lesion, 8.0, 30.0, " mm");
-  require("spacing", parameters.spacing, 0.5, 3.0, " mm");
+  constexpr auto origin = "synthetic patient";
+  check_range(origin, "age", parameters.age, {18.0, 95.0}, "years");
+  check_range(origin, "height", parameters.height, {1.40, 2.05}, "m");
+  check_range(origin, "weight", parameters.weight, {40.0, 160.0}, "kg");
+  check_range(origin, "flexion", parameters.flexion, {0.0, 1.0}, "");
+  check_range(origin, "scoliosis", parameters.scoliosis, {-40.0, 40.0}, "degrees");
+  check_range(origin, "calcification", parameters.calcification, {0.0, 1.0}, "");
+  if (parameters.lesion != 0.0) check_range(origin, "lesion", parameters.lesion, {8.0, 30.0}, "mm");
+  check_range(origin, "spacing", parameters.spacing, {0.5, 3.0}, "mm");
 }
 
 LumbarSizes lumbar_sizes(const LumbarParameters& parameters) {

@@ -18,6 +18,7 @@
 #include <vtkThinPlateSplineTransform.h>
 
 #include "core/error.h"
+#include "core/settings_check.h"
 
 namespace bodkin::patient {
 
@@ -130,10 +131,8 @@ Pose closest_points(const std::vector<Vec3>& patient, const Skin& body, const Po
 }  // namespace
 
 void check(const SkinFitSettings& settings) {
-  if (!(settings.reach >= 30.0 && settings.reach <= 500.0))
-    throw InputError(fmt::format("the reach is {:g} mm, expected 30 to 500", settings.reach));
-  if (!(settings.spacing >= 5.0 && settings.spacing <= 60.0))
-    throw InputError(fmt::format("the spacing is {:g} mm, expected 5 to 60", settings.spacing));
+  check_range("", "reach", settings.reach, {30.0, 500.0}, "mm");
+  check_range("", "spacing", settings.spacing, {5.0, 60.0}, "mm");
 }
 
 struct SkinFit::Parts {

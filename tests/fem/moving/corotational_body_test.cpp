@@ -359,10 +359,10 @@ TEST(CorotationalBody, refuses_settings_out_of_range_and_bodies_that_are_none) {
   };
   CorotationalSettings settings;
   settings.dt = -0.01;
-  refuses(settings, "the step is -0.01 s (or 0, for no time), expected 1e-05 to 1");
+  refuses(settings, "step is -0.01 s, expected 1e-05 to 1 s");
   settings = {};
   settings.density = 0.0;
-  refuses(settings, "the density is 0 kg/m^3, expected 1 to 30000");
+  refuses(settings, "density is 0 kg/m^3, expected 1 to 30000 kg/m^3");
   settings = {};
   settings.stiffness_damping = std::nan("");
   refuses(settings, "damping by stiffness is nan");

@@ -199,19 +199,19 @@ TEST(ProbePress, refuses_a_face_out_of_range) {
   };
   ProbeFace face;
   face.width = 0.0;
-  refuses(face, "probe: its width is 0 mm, expected 1 to 200");
+  refuses(face, "face of the probe: width is 0 mm, expected 1 to 200 mm");
   face = {};
   face.thickness = std::nan("");
-  refuses(face, "probe: its thickness is nan mm");
+  refuses(face, "face of the probe: thickness is nan mm");
   face = {};
   face.radius = 3.0;
-  refuses(face, "probe: its radius is 3 mm, expected 5 to 500");
+  refuses(face, "face of the probe: radius is 3 mm, expected 5 to 500 mm");
   face = {};
   face.radius = 10.0;
-  refuses(face, "probe: its width is 40 mm, expected 1 to 19");
+  refuses(face, "face of the probe: width is 40 mm, expected 1 to 19 mm");
   face = {};
   face.reach = 0.0;
-  refuses(face, "probe: its reach is 0 mm");
+  refuses(face, "face of the probe: reach is 0 mm");
 }
 
 }  // namespace

@@ -176,10 +176,9 @@ TEST(LayeredCompression, a_line_beside_the_patient_or_a_broken_pose_does_no_harm
 }
 
 TEST(LayeredCompression, its_lattice_is_checked) {
-  EXPECT_EQ(refusal([] { LayeredCompression(5.0); }),
-            "layered compression reach is 5 mm, expected 10 to 400 mm; choose a value in between");
+  EXPECT_EQ(refusal([] { LayeredCompression(5.0); }), "layered compression: reach is 5 mm, expected 10 to 400 mm");
   EXPECT_EQ(refusal([] { LayeredCompression(80.0, std::numeric_limits<double>::quiet_NaN()); }),
-            "layered compression spacing is nan mm, expected 0.05 to 5 mm; choose a value in between");
+            "layered compression: spacing is nan mm, expected 0.05 to 5 mm");
 }
 
 }  // namespace
