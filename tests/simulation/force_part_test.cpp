@@ -85,6 +85,41 @@ TEST(ForcePart, a_symmetric_tip_pulls_nowhere_and_changes_no_bit_along_the_line)
   }
 }
 
+TEST(ForcePart, the_pull_on_a_bevel_is_across_the_line_and_has_a_limit) {
+  const Case plain = fluid_patient();
+  Case with = plain;
+  with.description.haptics.parts.bevel_tip = BevelTipSettings{.curvature = 0.01, .stiffness = 1.0, .limit = 0.6};
+  HapticTick one(plain), other(with);
+  TickOutput a, b;
+  for (double depth = -2.0; depth < 30.0; depth += 0.02) {
+    a = one.step(needle_at(depth));
+    b = other.step(needle_at(depth));
+    ASSERT_NEAR(b.requested.force.z(), a.requested.force.z(), 1e-9);
+    ASSERT_LT(b.requested.force.head<2>().norm(), 0.6 + 1e-9);
+  }
+  EXPECT_NEAR(b.requested.force.head<2>().norm(), 0.6, 1e-9) << "4 mm aside would be 4 N";
+  EXPECT_NEAR(named(other, b, "bevel_N"), 0.6, 1e-9);
+}
+
+// Half a turn half way: two arcs that bend to opposite sides, so that the path ends parallel to the line.
+TEST(ForcePart, a_bevel_that_is_turned_cuts_to_the_other_side) {
+  constexpr double pi = 3.14159265358979, curvature = 0.005, half_way = 20.0;
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.bevel_tip = BevelTipSettings{.curvature = curvature, .stiffness = 0.05};
+  HapticTick haptics(patient);
+  TickOutput output;
+  const auto move = [&](double depth, double roll) {
+    TickInput input = needle_at(depth);
+    input.needle.rotate(Eigen::AngleAxisd(roll, Vec3::UnitZ()));
+    output = haptics.step(input);
+  };
+  for (double depth = -2.0; depth < half_way; depth += 0.02) move(depth, 0.0);
+  for (int i = 1; i <= 100; ++i) move(half_way, pi * i / 100.0);
+  for (double depth = half_way; depth < 2.0 * half_way; depth += 0.02) move(depth, pi);
+  EXPECT_NEAR(named(haptics, output, "bevel_aside_mm"), 2.0 / curvature * (1.0 - std::cos(curvature * half_way)),
+              0.1);
+}
+
 TEST(ForcePart, fluid_rises_in_the_manometer_once_the_tip_is_in_fluid_and_not_with_the_stylet) {
   Case patient = fluid_patient();
   patient.description.haptics.parts.csf_flow.emplace();
@@ -103,6 +138,17 @@ TEST(ForcePart, fluid_rises_in_the_manometer_once_the_tip_is_in_fluid_and_not_wi
   patient.description.haptics.parts.csf_flow->stylet = true;
   HapticTick closed(patient);
   EXPECT_EQ(push(closed, 50.0, 20.0, "csf_height_mm").first(EventKind::fluid_returned), nullptr);
+}
+
+TEST(ForcePart, fluid_returns_with_physical_mechanics_where_the_deformed_tissue_is_fluid) {
+  Case patient = fluid_patient();
+  patient.description.haptics.mechanics = Mechanics::physical;
+  patient.description.haptics.parts.csf_flow.emplace();
+  HapticTick haptics(patient);
+  const FeltPart felt = push(haptics, 55.0, 20.0, "csf_height_mm");
+  const Event* returned = felt.first(EventKind::fluid_returned);
+  ASSERT_NE(returned, nullptr);
+  EXPECT_EQ(returned->tissue, tissue::cerebrospinal_fluid);
 }
 
 // Stylet out, drip, manometer on, off, on, stylet in: what a whole lumbar puncture does with the fluid.
@@ -215,7 +261,9 @@ TEST(ForcePart, the_hand_says_when_the_thumb_presses_the_plunger) {
   const double area = 176.7;  // mm^2, of 15 mm
   EXPECT_NEAR(pressure_after_a_second(Thumb::of_force(3.0)), 3.0 / area, 0.1 * 3.0 / area);
   EXPECT_NEAR(pressure_after_a_second(Thumb()), 5.0 / area, 0.1 * 5.0 / area);
+  const double travel = named(haptics, haptics.step(input), "plunger_mm");
   EXPECT_LE(pressure_after_a_second(Thumb::of_force(0.0)), 5.0 / area) << "who lets go presses no further";
+  EXPECT_GE(named(haptics, haptics.step(input), "plunger_mm"), travel) << "and the plunger does not come back";
 }
 
 TEST(ForcePart, a_thumb_is_kept_in_steps_of_a_fifth_of_a_newton) {
@@ -231,6 +279,20 @@ TEST(ForcePart, a_thumb_is_kept_in_steps_of_a_fifth_of_a_newton) {
     const Thumb thumb = Thumb::from_byte(static_cast<std::uint8_t>(byte));
     EXPECT_EQ(Thumb::of_force(*thumb.force()).byte(), byte);
   }
+}
+
+TEST(ForcePart, an_empty_barrel_presses_nothing_out_any_more) {
+  Case patient = fluid_patient();
+  patient.description.haptics.parts.syringe.emplace();
+  HapticTick haptics(patient);
+  push(haptics, 40.0, 20.0, "syringe_pressure_MPa");  // in the epidural space
+  const auto pressure_after = [&haptics](int seconds) {
+    TickOutput output;
+    for (int tick = 0; tick < 1000 * seconds; ++tick) output = haptics.step(needle_at(40.0));
+    return named(haptics, output, "syringe_pressure_MPa");
+  };
+  const double flowing = pressure_after(2);
+  EXPECT_LT(pressure_after(600), 0.5 * flowing) << "60 mm of barrel are empty";
 }
 
 TEST(ForcePart, settings_out_of_range_are_refused_with_their_range) {

@@ -1,7 +1,10 @@
 #include "simulation/resistance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "tests/simulation/model_pairs.h"
 #include <gtest/gtest.h>
@@ -79,6 +82,8 @@ TEST(Resistance, a_part_that_does_not_go_with_the_model_is_refused) {
             std::string::npos);
   EXPECT_NE(refusal(body(FractureSettings{}, grasping)).find("add the part shaft_friction"), std::string::npos);
   EXPECT_EQ(refusal(body(LayeredSettings{}, grasping)), "");
+  grasping.shaft_friction.emplace();
+  EXPECT_EQ(refusal(body(FractureSettings{}, grasping)), "") << "it acts on the friction that the part adds";
 }
 
 TEST(Resistance, friction_of_the_shaft_adds_to_a_model_that_has_none) {
@@ -117,6 +122,46 @@ TEST(Resistance, relaxing_tissue_gives_way_to_the_share_that_remains) {
   for (double d = -3.0; d <= 4.0; d += 0.02) output = tick.step(needle_at(d));
   for (int i = 0; i < 3000; ++i) output = tick.step(needle_at(4.0));
   EXPECT_NEAR(output.resistance, 0.5 * 0.5 * 4.0, 0.01);
+  // The half that has decayed would pull the needle in: 0.25 N left of 0.5 N less half of the 1.5 N that were let go.
+  double least = output.resistance;
+  for (double d = 4.0; d >= 1.0; d -= 0.02) least = std::min(least, tick.step(needle_at(d)).resistance);
+  EXPECT_EQ(least, 0.0);
+}
+
+// The diagnostic of that name in the last output.
+double published(const HapticTick& tick, const TickOutput& output, std::string_view name) {
+  const auto names = tick.diagnostic_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].name == name) return output.diagnostics[i];
+  ADD_FAILURE() << "no diagnostic " << name;
+  return 0.0;
+}
+
+TEST(Resistance, the_grip_of_a_turned_needle_is_published) {
+  ForceParts grasping;
+  grasping.needle_grasp.emplace();
+  const Case patient = body(ShaftFrictionSettings{}, grasping);
+  HapticTick tick(patient);
+  TickOutput output;
+  for (double d = -3.0; d <= 20.0; d += 0.02) output = tick.step(needle_at(d));
+  EXPECT_DOUBLE_EQ(published(tick, output, "grip"), 1.0);
+  for (double turn = 0.0; turn < 4.0; turn += 0.01) {
+    TickInput input = needle_at(20.0);
+    input.needle.rotate(Eigen::AngleAxisd(turn * 2.0 * 3.14159265358979, Vec3::UnitZ()));
+    output = tick.step(input);
+  }
+  EXPECT_NEAR(published(tick, output, "grip"), 1.0 + 1.67 * (1.0 - std::exp(-4.0 / 2.0)), 0.01);
+}
+
+TEST(Resistance, contact_is_told_once_though_models_notice_it_too) {
+  const Case patient = body(FractureSettings{});
+  HapticTick tick(patient);
+  int contacts = 0;
+  for (double d = -3.0; d <= 10.0; d += 0.02) {
+    for (const forces::Event& event : tick.step(needle_at(d)).events)
+      contacts += event.kind == forces::EventKind::contact ? 1 : 0;
+  }
+  EXPECT_EQ(contacts, 1);
 }
 
 }  // namespace
