@@ -160,7 +160,9 @@ TEST(FitParameter, whatever_a_fit_finds_a_tissue_library_and_a_case_take) {
         values.push_back(one.name.starts_with("from_") ? one.usual : value(one));
       const FittedElements elements = model.elements(values);
       for (const io::XmlElement& tissue : elements.tissues) EXPECT_NO_THROW(read(tissue, true)) << model.name;
-      if (elements.resistance) EXPECT_NO_THROW(read(*elements.resistance, false)) << model.name;
+      if (elements.resistance) {
+        EXPECT_NO_THROW(read(*elements.resistance, false)) << model.name;
+      }
     }
   }
 }
