@@ -32,17 +32,16 @@ void FrameClock::start() {
 }
 
 double FrameClock::now() const {
-  return virtual_ ? virtual_now_ : std::chrono::duration<double>(Clock::now() - begin_).count();
+  return std::chrono::duration<double>(Clock::now() - begin_).count();
 }
 
 void FrameClock::tick() {
   wait_for_next();  // first, for what is done in a frame may open a dialog, and frames go on meanwhile
-  virtual_now_ += 1.0 / 60.0;
   const Clock::time_point began = Clock::now();
   emit frame(now());
-  last_ = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
-  slow_ = last_ > too_slow ? slow_ + 1 : 0;
-  quick_ = last_ < quick_again ? quick_ + 1 : 0;
+  const double took = std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+  slow_ = took > too_slow ? slow_ + 1 : 0;
+  quick_ = took < quick_again ? quick_ + 1 : 0;
   if (slow_ >= slow_frames) interval_ = slow_interval;
   if (quick_ >= quick_frames) interval_ = quick_interval;
 }

@@ -14,8 +14,7 @@ std::chrono::steady_clock::time_point next_due(std::chrono::steady_clock::time_p
                                                std::chrono::milliseconds interval);
 
 // The one clock that draws: 60 frames a second while the window keeps up, 30 when it has not for three frames, 60
-// again after two quick seconds. With a virtual clock every frame is 1/60 s later than the last one, however long it
-// took.
+// again after two quick seconds.
 class FrameClock : public QObject {
   Q_OBJECT
  public:
@@ -23,11 +22,8 @@ class FrameClock : public QObject {
 
   void start();
   void stop() { timer_.stop(); }
-  void use_virtual_time(bool on) { virtual_ = on; }
   // s since start().
   double now() const;
-  double milliseconds_of_last_frame() const { return last_; }
-  int rate() const { return interval_ > quick_interval ? 30 : 60; }
 
  signals:
   void frame(double clock);
@@ -41,9 +37,6 @@ class FrameClock : public QObject {
   QTimer timer_;
   int interval_ = quick_interval;  // ms
   std::chrono::steady_clock::time_point begin_, due_;
-  bool virtual_ = false;
-  double virtual_now_ = 0.0;
-  double last_ = 0.0;  // ms
   int slow_ = 0, quick_ = 0;
 };
 

@@ -106,7 +106,7 @@ Control ServoTick::control(const ControlInput& input) noexcept {
 void ServoTick::record_sample(const ServoSample& sample) noexcept {
   samples_[tick_ % samples_.size()] = sample;
   for (const GuardEvent& event : guard_.events()) {
-    if (!events_.push(event)) lost_events_.fetch_add(1, std::memory_order_relaxed);
+    events_.push(event);
     if (event.state != GuardState::faulted || event.reason != guard_.fault()) continue;
     report_.fault = event;
     report_.count = static_cast<std::size_t>(std::min<std::uint64_t>(tick_ + 1, FaultReport::most));

@@ -79,8 +79,6 @@ class ServoTick {
   const ServoTimings& timings() noexcept { return published_timings_.read(); }
   // Observer: the next event of the guard; false when the queue is empty.
   bool next_event(GuardEvent& event) noexcept { return events_.pop(event); }
-  // Events that were dropped because the queue was full.
-  std::uint64_t lost_events() const noexcept { return lost_events_.load(std::memory_order_relaxed); }
   // Observer: the newest fault with the ticks before it; count is 0 when there was none.
   const FaultReport& fault_report() noexcept { return reports_.read(); }
 
@@ -128,7 +126,6 @@ class ServoTick {
   LatestValue<ServoTimings> published_timings_;
   LatestValue<FaultReport> reports_;
   std::atomic<bool> disarm_{false};
-  std::atomic<std::uint64_t> lost_events_{0};
 };
 
 }  // namespace bodkin::haptics

@@ -12,6 +12,9 @@ namespace {
 
 constexpr float soft_from = 0.72F;  // of the oval's radius: inside, the skin is gone
 
+// Behind the patient, at the top of the picture and at its bottom, 0xRRGGBB.
+constexpr std::uint32_t sky_top = 0x0E1218, sky_bottom = 0x28323E;
+
 // Mean of samples.
 class Mean {
  public:
@@ -95,7 +98,12 @@ StillLayers::StillLayers(int width, int height, int detail)
       detail_(detail),
       opaque_(box().times(detail)),
       skin_(box().times(detail)),
-      sky_rows_(static_cast<std::size_t>(height), 0U) {}
+      sky_rows_(static_cast<std::size_t>(height), 0U) {
+  for (int y = 0; y < height_; ++y) {
+    const float down = height_ > 1 ? static_cast<float>(y) / static_cast<float>(height_ - 1) : 0.0F;
+    sky_rows_[static_cast<std::size_t>(y)] = blend(sky_top, sky_bottom, down);
+  }
+}
 
 // The sections of a surface that are opaque, or those that are not. `mesh`: the surface or a piece of it; `sections`
 // divide `triangles`.
@@ -224,12 +232,7 @@ PixelBox StillLayers::draw_patch(std::span<const ScreenPoint> points,
   return changed.over(detail_).meet(box());
 }
 
-void StillLayers::set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening,
-                           const Sky& sky) {
-  for (int y = 0; y < height_; ++y) {
-    const float down = height_ > 1 ? static_cast<float>(y) / static_cast<float>(height_ - 1) : 0.0F;
-    sky_rows_[static_cast<std::size_t>(y)] = blend(sky.top & 0xFFFFFFU, sky.bottom & 0xFFFFFFU, down);
-  }
+void StillLayers::set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening) {
   opacity_ = skin.shown ? skin.opacity : 0.0F;
   cut_ = false;
   if (preset != Preset::cut_away) return;

@@ -13,12 +13,6 @@
 
 namespace bodkin::scene {
 
-// Colours behind the patient, from the top of the picture to its bottom, 0xRRGGBB.
-struct Sky {
-  std::uint32_t top = 0x0E1218;
-  std::uint32_t bottom = 0x28323E;
-};
-
 // The opening of a cut-away: an oval about a point, wide and high in the picture, whose edge is soft.
 struct Opening {
   Vec3 centre = Vec3::Zero();  // LPS mm
@@ -57,8 +51,8 @@ class StillLayers {
   // Returns the pixels that may have changed.
   PixelBox draw_patch(std::span<const ScreenPoint> points, std::span<const std::array<std::int32_t, 3>> triangles);
 
-  // How strongly the skin covers, sky, opening. Call compose() afterwards.
-  void set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening, const Sky& sky);
+  // How strongly the skin covers, and the opening. Call compose() afterwards.
+  void set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening);
   // Writes these pixels of the picture.
   void compose(const PixelBox& box, Picture& picture) const;
 

@@ -37,11 +37,6 @@ void SoftwareView::set_opening(const Opening& opening) {
   look_stale_ = true;
 }
 
-void SoftwareView::set_sky(const Sky& sky) {
-  sky_ = sky;
-  look_stale_ = true;
-}
-
 void SoftwareView::set_detail(int detail) {
   detail = std::clamp(detail, 1, 4);
   if (detail == detail_) return;
@@ -136,7 +131,7 @@ PixelBox SoftwareView::draw() {
     patch_stale_ = inner_stale_ = true;
   }
   const Appearance skin = appearance(look_, surfaces_->parts.front());
-  if (everything) layers_->set_look(camera_, look_.preset, skin, opening_, sky_);
+  if (everything) layers_->set_look(camera_, look_.preset, skin, opening_);
   PixelBox changed;
   if (inner_stale_ && !inner_.empty()) changed = layers_->draw_inner(*surfaces_, inner_, camera_, look_);
   if (patch_stale_ && !patch_.empty() && skin.drawn()) {

@@ -33,7 +33,6 @@ class SoftwareView {
   void set_preset(Preset preset) { set_look({preset, {}}); }
   void set_look(Look look);
   void set_opening(const Opening& opening);
-  void set_sky(const Sky& sky);
   // Samples along each side of a pixel, 1 to 4: 2 smooths edges, 1 is for large pictures while the camera turns.
   void set_detail(int detail);
   void set_needles(std::vector<NeedleLook> needles);
@@ -84,7 +83,6 @@ class SoftwareView {
   Camera camera_;
   Look look_;
   Opening opening_;
-  Sky sky_;
   int detail_ = 2;
   std::vector<NeedleLook> needles_;
   SceneMarks marks_;

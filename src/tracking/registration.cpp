@@ -158,10 +158,6 @@ double predicted_tre(const std::vector<Vec3>& moving, const Vec3& target, double
   return std::sqrt(squared);
 }
 
-double expected_fre(double fle, std::size_t points, bool with_scale) {
-  return fle * std::sqrt(std::max(0.0, 1.0 - (with_scale ? 7.0 : 6.0) / (3.0 * static_cast<double>(points))));
-}
-
 ErrorInterval tre_interval(const Registration& registration, const std::vector<Vec3>& moving, const Vec3& target) {
   const auto count = static_cast<double>(moving.size());
   const double freedom = 3.0 * count - (registration.scaled ? 7.0 : 6.0);

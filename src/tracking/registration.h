@@ -65,8 +65,6 @@ std::optional<double> hidden_scale(const std::vector<Vec3>& fixed, const std::ve
 // length `fle`, mm (Fitzpatrick, West and Maurer 1998; with scale the term of the scale is added: FLE^2/3 q^2 / sum
 // p^2).
 double predicted_tre(const std::vector<Vec3>& moving, const Vec3& target, double fle, bool with_scale);
-// The RMS of FRE that goes with a localisation error: FLE^2 (1 - 6/(3 k)), 7 instead of 6 with scale.
-double expected_fre(double fle, std::size_t points, bool with_scale);
 // Target registration error as one registration of its own predicts it. FRE of one registration says little about its
 // TRE: hence an interval, from the distribution of FRE^2 (chi-squared with 3k - 6 degrees of freedom, 3k - 7 with
 // scale).

@@ -92,7 +92,6 @@ void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   stereo_ = scene::Stereo::off;
   said_.clear();
   flight_.reset();
-  left_needles_.clear();
   has_needle_ = aimed_ = false;
   shown_percent_ = -1;
   patient_ = std::move(patient);
@@ -185,10 +184,6 @@ void View3d::set_camera(const scene::Camera& camera) {
   camera_ = camera;
 }
 
-void View3d::set_left_needles(std::vector<scene::NeedleLook> needles) {
-  left_needles_ = std::move(needles);
-}
-
 void View3d::set_skin_tint(const std::vector<std::uint32_t>& tint) {
   for (scene::SoftwareView* scene : scenes()) scene->set_skin_tint(tint);
 }
@@ -235,7 +230,7 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
 
 void View3d::update_scene(const Frame& frame) {
   has_needle_ = frame.has_needle;
-  std::vector<scene::NeedleLook> needles = left_needles_;
+  std::vector<scene::NeedleLook> needles;
   for (const LeftNeedle& left : frame.left_needles) {
     scene::NeedleLook look = needle_;
     look.pose = left.pose;

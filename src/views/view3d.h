@@ -61,8 +61,6 @@ class View3d : public View {
   // The list of parts.
   void show_parts(bool shown);
   void choose_view(scene::StandardView view);
-  // Needles that were left in the body.
-  void set_left_needles(std::vector<scene::NeedleLook> needles);
   // See scene::SoftwareView::set_skin_tint; once is_ready().
   void set_skin_tint(const std::vector<std::uint32_t>& tint);
   // Ways of the tip in finished sessions; null: none.
@@ -158,7 +156,6 @@ class View3d : public View {
   LookPanel* panel_ = nullptr;
   std::optional<Workspace> workspace_;
   bool outside_only_ = false;
-  std::vector<scene::NeedleLook> left_needles_;
   std::shared_ptr<const std::vector<scene::Trail>> trails_;
   scene::NeedleLook needle_;
   bool has_needle_ = false;

@@ -49,7 +49,6 @@ TEST(FrameClock, draws_until_it_is_stopped) {
   clock.start();
   EXPECT_TRUE(QTest::qWaitFor([&frames] { return frames >= 5; }, 60000));
   clock.stop();
-  EXPECT_EQ(clock.rate(), 60);
   const int so_far = frames;
   QTest::qWait(60);
   EXPECT_EQ(frames, so_far);

@@ -69,7 +69,6 @@ TEST_F(Rates, a_picture_takes_less_than_a_thirtieth_of_a_second_and_the_force_co
   }
   EXPECT_LT(cheapest, 1.0 / 30.0) << "s";
   EXPECT_GT(2 * pictures, frames) << "in 3-D and in a slice; frames that come late may share a picture";
-  EXPECT_GE(window_->clock().rate(), 30);
   const double rate = static_cast<double>(frame().ticks - ticks_before) / (frame().time - began);
   EXPECT_NEAR(rate, 1000.0, 30.0) << "ticks/s";
 }
