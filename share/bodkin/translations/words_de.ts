@@ -6888,10 +6888,6 @@
         <translation>%1 Knoten sind zu wenige für die Schichten des geplanten Wegs, deren dünnste sind: %2; erwartet: mindestens %3, also --nodes %4</translation>
     </message>
     <message>
-        <source>the mesh of %1 nodes does not hold %2 on the planned path; expected a path that crosses these layers less obliquely, or at least %3 nodes</source>
-        <translation>das Netz von %1 Knoten hält auf dem geplanten Weg nicht: %2; erwartet: ein Weg, der diese Schichten weniger schräg kreuzt, oder mindestens %3 Knoten</translation>
-    </message>
-    <message>
         <source>%1 nodes ask for edges of %2 mm in the corridor, which makes no sense here; ask for another number of nodes, or other --fine and --coarse</source>
         <translation>%1 Knoten verlangen im Korridor Kanten von %2 mm, was hier keinen Sinn hat; verlangen Sie eine andere Zahl von Knoten, oder andere --fine und --coarse</translation>
     </message>
@@ -8708,8 +8704,8 @@
         <translation>%1 Knoten sind zu wenige für die Schichten des geplanten Wegs, deren dünnste sind: %2; erwartet: mindestens %3, also --nodes %4, oder --merge-layers für ein Netz ohne sie</translation>
     </message>
     <message>
-        <source>the mesh of %1 nodes does not hold %2 on the planned path; expected a path that crosses these layers less obliquely, at least %3 nodes, or --merge-layers for a mesh without them</source>
-        <translation>das Netz von %1 Knoten hält auf dem geplanten Weg nicht: %2; erwartet: ein Weg, der diese Schichten weniger schräg kreuzt, mindestens %3 Knoten, oder --merge-layers für ein Netz ohne sie</translation>
+        <source>no mesh holds %1 on the planned path; expected a path that crosses these layers less obliquely, or --merge-layers for a mesh without them</source>
+        <translation>kein Netz hält auf dem geplanten Weg: %1; erwartet: ein Weg, der diese Schichten weniger schräg kreuzt, oder --merge-layers für ein Netz ohne sie</translation>
     </message>
     <message>
         <source>the session has format version %1, this Bodkin reads versions %2 to %3; open it with the version of Bodkin that wrote it</source>

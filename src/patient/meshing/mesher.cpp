@@ -28,8 +28,12 @@ constexpr double close_enough = 0.10;  // of the wanted number of nodes
 constexpr double nodes_power = 2.6;    // nodes go with the edge to minus this, between a surface and a volume
 constexpr double least_power = 0.5, most_power = 4.0;  // [D] the same as found from two attempts
 constexpr double widest_scale = 50.0;                  // beyond this there is no sense in a scale
-constexpr double coarsest_when_held = 4.0;  // [D] scale with which the nodes that held layers need are counted
-constexpr double mostly_gone = 0.5;         // share of a tissue that is said to have been merged
+// [D] Where layers are held, edges are at most this times those of the settings, and less where a layer would be
+// lost. Nodes are then those of the layers and of what grows about them: of lumbar patients the same from 6 to 50.
+constexpr double coarsest_when_held = 8.0;
+constexpr double finest_when_held = 0.5;
+constexpr int halvings_of_coarsest = 7;  // of what lies between these two: then it is known to 2 %
+constexpr double mostly_gone = 0.5;      // share of a tissue that is said to have been merged
 constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4 * sizeof(std::uint32_t) + 1;
 
 struct Attempt {
@@ -148,6 +152,39 @@ double power_between(const ScaledNodes& a, const ScaledNodes& b, double otherwis
   return std::isfinite(power) ? std::clamp(power, least_power, most_power) : otherwise;
 }
 
+// Looks for the scale that gives the wanted number of nodes, by attempts that missed it.
+class ScaleSearch {
+ public:
+  // `coarsest`: the largest scale, with which there are the fewest nodes; nothing: there is none. `holds`: layers are
+  // held, so that nodes go otherwise with the edge than they usually do.
+  ScaleSearch(double wanted, double first, std::optional<double> coarsest, bool holds)
+      : wanted_(wanted), coarsest_(coarsest), holds_(holds), scale_(limited(first)) {}
+
+  double scale() const { return scale_; }
+  bool is_coarsest() const { return coarsest_ && scale_ >= *coarsest_; }
+  // The present scale gave so many nodes.
+  void missed(double nodes) {
+    if (holds_ && before_.nodes > 0.0) power_ = power_between(before_, {scale_, nodes}, power_);
+    before_ = {scale_, nodes};
+    (nodes > wanted_ ? too_fine_ : too_coarse_) = scale_;
+    scale_ = limited(scale_ * std::pow(nodes / wanted_, 1.0 / power_));
+    const bool between = too_fine_ < scale_ && scale_ < too_coarse_;
+    if (!between && too_fine_ > 0.0 && std::isfinite(too_coarse_)) scale_ = std::sqrt(too_fine_ * too_coarse_);
+  }
+  // A scale that gives no more nodes than are wanted, if any does.
+  void take_coarse() { scale_ = std::isfinite(too_coarse_) ? too_coarse_ : coarsest_.value_or(scale_); }
+
+ private:
+  double limited(double scale) const { return coarsest_ ? std::min(scale, *coarsest_) : scale; }
+
+  double wanted_;
+  std::optional<double> coarsest_;
+  bool holds_;
+  double scale_, power_ = nodes_power;
+  ScaledNodes before_;
+  double too_fine_ = 0.0, too_coarse_ = std::numeric_limits<double>::infinity();  // the newest of each
+};
+
 [[noreturn]] void refuse_nodes(double least, const MeshPlan& plan, const MeshSettings& settings,
                                const anatomy::TissueLibrary& library) {
   std::vector<PathLayer> thin = plan.layers;
@@ -160,33 +197,32 @@ double power_between(const ScaledNodes& a, const ScaledNodes& b, double otherwis
                   settings.nodes, named(thin, library), rounded_nodes(least), rounded_nodes(least)));
 }
 
-// Refuses fewer nodes than the layers of the planned path need where they are held, with the rest as coarse as it may
-// be.
-void check_held(const MeshPlan& plan, const MeshSettings& settings, const anatomy::TissueLibrary& library) {
-  if (!settings.hold_layers) return;
-  constexpr double room = 1.3;  // [D] for the body around
-  const double least = room * expected_nodes(meshable_tissues(plan, coarsest_when_held));
-  if (least > static_cast<double>(settings.nodes)) refuse_nodes(least, plan, settings, library);
+// The largest scale with which the layers of the planned path are held; nothing: none are to be. Refuses a path with
+// layers that no scale holds.
+std::optional<double> coarsest_that_holds(const MeshPlan& plan, const MeshSettings& settings,
+                                          const anatomy::TissueLibrary& library) {
+  if (!settings.hold_layers || plan.held_edges.empty()) return {};
+  const auto lost_with = [&](double scale) { return lost_layers(plan, meshable_tissues(plan, scale)); };
+  if (lost_with(coarsest_when_held).empty()) return coarsest_when_held;
+  double holds = finest_when_held, loses = coarsest_when_held;
+  if (const std::vector<PathLayer> lost = lost_with(holds); !lost.empty()) {
+    throw InputError(
+        fmt::format("no mesh holds {} on the planned path; expected a path that crosses these layers less obliquely, "
+                    "or --merge-layers for a mesh without them",
+                    named(lost, library)));
+  }
+  for (int halving = 0; halving < halvings_of_coarsest; ++halving) {
+    const double middle = std::sqrt(holds * loses);
+    (lost_with(middle).empty() ? holds : loses) = middle;
+  }
+  return holds;
 }
 
-// Refuses a mesh that became larger than was asked for, because the layers that it holds take so many nodes.
-void check_number(std::size_t nodes, const MeshPlan& plan, const MeshSettings& settings,
-                  const anatomy::TissueLibrary& library) {
-  const auto made = static_cast<double>(nodes), wanted = static_cast<double>(settings.nodes);
-  if (settings.hold_layers && made > (1.0 + close_enough) * wanted) refuse_nodes(made, plan, settings, library);
-}
-
-// What is to be said of layers that the mesh does not hold; refuses them where they were to be held.
+// What is to be said of layers that the mesh does not hold.
 std::vector<std::string> layer_notes(const MeshPlan& plan, const MeshableTissues& meshable,
-                                     const MeshSettings& settings, const anatomy::TissueLibrary& library) {
+                                     const anatomy::TissueLibrary& library) {
   const std::vector<PathLayer> lost = lost_layers(plan, meshable);
   if (lost.empty()) return {};
-  if (settings.hold_layers) {
-    throw InputError(
-        fmt::format("the mesh of {} nodes does not hold {} on the planned path; expected a path that crosses these "
-                    "layers less obliquely, at least {} nodes, or --merge-layers for a mesh without them",
-                    settings.nodes, named(lost, library), 2 * settings.nodes));
-  }
   return {fmt::format(
       "The mesh does not hold these layers of the planned path: {}. Models that deform read them from the voxels; "
       "without --merge-layers the mesh is refined there.",
@@ -213,28 +249,25 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
   };
   report("planning the mesh", 0.0);
   const MeshPlan plan = plan_mesh(tissues, path, settings);
-  check_held(plan, settings, library);
+  const std::optional<double> coarsest = coarsest_that_holds(plan, settings, library);
   const double wanted = static_cast<double>(settings.nodes);
   const auto nonsense = [](double scale) { return !(scale < widest_scale && scale > 1.0 / widest_scale); };
-  double scale = 1.0;
-  MeshableTissues meshable = meshable_tissues(plan, scale);
-  for (int guess = 0; guess < guesses; ++guess) {
-    scale *= std::cbrt(expected_nodes(meshable) / wanted);
-    if (nonsense(scale)) break;
-    meshable = meshable_tissues(plan, scale);
-  }
-  double power = nodes_power;
-  ScaledNodes before;
+  double first = 1.0;
+  for (int guess = 0; guess < guesses && !nonsense(first); ++guess)
+    first *= std::cbrt(expected_nodes(meshable_tissues(plan, first)) / wanted);
+  ScaleSearch search(wanted, first, coarsest, settings.hold_layers);
   for (int round = 1;; ++round) {
+    const double scale = search.scale();
     if (nonsense(scale)) {
       throw InputError(
           fmt::format("{} nodes ask for edges of {:.3g} mm in the corridor, which makes no sense here; "
                       "ask for another number of nodes, or other --fine and --coarse",
                       settings.nodes, scale * settings.fine));
     }
-    const bool last = round == most_rounds;
-    const json wish = {{"fewest", last ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
-                       {"most", last ? 1e12 : std::ceil((1.0 + close_enough) * wanted)},
+    const MeshableTissues meshable = meshable_tissues(plan, scale);
+    const double most = std::ceil((1.0 + close_enough) * wanted);
+    const json wish = {{"fewest", round >= most_rounds ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
+                       {"most", round >= most_rounds && !coarsest ? 1e12 : most},
                        {"expected", wanted}};
     Attempt made = run_mesher(meshable, wish, [&](std::string_view stage, double fraction) {
       report(fmt::format("{}, round {}", stage, round), fraction);
@@ -244,15 +277,13 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
     }
     if (made.mesh.elements.empty()) {
       const auto nodes = static_cast<double>(made.refined_nodes);
-      if (settings.hold_layers && before.nodes > 0.0) power = power_between(before, {scale, nodes}, power);
-      before = {scale, nodes};
-      scale *= std::pow(nodes / wanted, 1.0 / power);
-      if (!nonsense(scale)) meshable = meshable_tissues(plan, scale);
+      if (search.is_coarsest() && nodes > wanted) refuse_nodes(nodes, plan, settings, library);
+      search.missed(nodes);
+      if (round + 1 > most_rounds) search.take_coarse();
       continue;
     }
-    check_number(made.mesh.nodes.size(), plan, settings, library);
     MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
-    for (std::string& note : layer_notes(plan, meshable, settings, library)) body.notes.push_back(std::move(note));
+    for (std::string& note : layer_notes(plan, meshable, library)) body.notes.push_back(std::move(note));
     anatomy::orient_elements(body.mesh);
     if (const std::size_t removed = anatomy::keep_largest_part(body.mesh); removed > 0) {
       body.notes.push_back(fmt::format("{} elements that hung on nothing by a face were left out.", removed));

@@ -23,10 +23,10 @@ struct MeshedBody {
 };
 
 // Meshes the tissues of a case near its planned path (all of them without a path), with about the wanted number
-// of nodes: the edges are scaled, at most five times, until the number lies within 10 %; what is then missed is
+// of nodes: the edges are scaled, at most six times, until the number lies within 10 %; what is then missed is
 // noted. `library` gives the names for notes. The same input gives the same mesh. Throws InputError when nothing can
-// be meshed, the number of nodes cannot be reached or is too small for the layers that are to be held, SystemError
-// when bodkin-mesher is missing or fails.
+// be meshed, the number of nodes cannot be reached or is too small for the layers that are to be held (the sentence
+// names the smallest number that is not), SystemError when bodkin-mesher is missing or fails.
 MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
                         const anatomy::TissueLibrary& library, const MeshSettings& settings,
                         const Progress& progress = {});
