@@ -21,8 +21,8 @@ using namespace bodkin;
 using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 
-const CondensedBody& corridor() {
-  static const CondensedBody body = checks::kelvin_body(5, 40, 2.0);  // 1000 nodes
+const CondensedBody& thousand_nodes() {
+  static const CondensedBody body = checks::kelvin_body(5, 40, 2.0);
   return body;
 }
 
@@ -31,10 +31,11 @@ const CondensedBody& corridor() {
 void factor_tick(benchmark::State& state) {
   const auto nodes = static_cast<std::size_t>(state.range(0));
   const bool anywhere = state.range(1) != 0;
-  ContactFactor factor(corridor().compliance, 170);
+  ContactFactor factor(thousand_nodes().compliance, 170);
   Random random(1);
   const auto grow = [&] {
-    while (!factor.append(static_cast<std::uint32_t>(random.next() % corridor().nodes.size()), Mat3::Identity())) {
+    while (
+        !factor.append(static_cast<std::uint32_t>(random.next() % thousand_nodes().nodes.size()), Mat3::Identity())) {
     }
   };
   while (factor.constraints() < nodes) grow();
@@ -167,7 +168,7 @@ void changeover_tick(benchmark::State& state) {
 void display_field(benchmark::State& state) {
   constexpr Eigen::Index points = 32 * 32 * 32 + 2116;
   static const DisplayField field = [] {
-    Eigen::MatrixXf columns(3 * points, 3 * 400);  // 400 nodes of the corridor
+    Eigen::MatrixXf columns(3 * points, 3 * 400);  // 400 nodes
     std::uint64_t number = 0;
     for (float& value : columns.reshaped()) value = static_cast<float>(mix64(++number) % 1000) * 1e-3F;
     return DisplayField(std::move(columns));

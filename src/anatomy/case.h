@@ -139,9 +139,8 @@ struct Case {
   CtVolume ct;
   LabelVolume structures;  // empty when there is no segmentation
   TissueVolume tissues;    // its lattice may be finer than the CT's
-  // The corridor of the deformable body, prepared by prepare_body() for the resistances that need one; without a body
-  // otherwise.
-  PreparedCorridor corridor;
+  // The deformable body, prepared by prepare_body() for the resistances that need one; without a body otherwise.
+  PreparedBody prepared;
   // Needles that were left in the body before, from their entry to their tip at rest: prepare_body() couples them
   // with the needle in the hand, for the resistance that meets contact points.
   std::vector<NeedlePath> left_needles;

@@ -19,9 +19,9 @@ struct PlaceInElement {
   std::array<double, 4> weights{};       // of each, sum 1
 };
 
-// A deformable body as the needle sees it: the nodes of its corridor, and how each of them moves by a force on any of
-// them, exactly as in the whole body with what is fixed held fixed. Or the contact points of one line through it
-// (fem::ContactBody), in their order from the entry on, which are no nodes of the mesh.
+// A deformable body as the needle sees it: the contact points of one line through it (fem::ContactBody), in their
+// order from the entry on, which are no nodes of the mesh, or, of `closest_node`, the nodes of its corridor; and how
+// each of them moves by a force on any of them, exactly as in the whole body with what is fixed held fixed.
 struct CondensedBody {
   std::vector<Vec3> nodes;                   // mm, LPS, at rest
   std::vector<std::uint32_t> mesh_nodes;     // what they are called in the mesh; none for contact points
@@ -33,7 +33,7 @@ struct CondensedBody {
 };
 
 // A body prepared for needles along a path.
-struct PreparedCorridor {
+struct PreparedBody {
   std::shared_ptr<const CondensedBody> body;  // nullptr: none
   NeedlePath path;                            // that it was prepared about
 };

@@ -1,18 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "core/parameter.h"
 #include "core/settings_check.h"
 
 namespace bodkin::anatomy {
 
-// How a case's mesh becomes a deformable body: what holds it, and which nodes the needle can meet.
+// How a case's mesh becomes a deformable body: how stiff it is, and what holds it.
 struct DeformableBodySettings {
-  double corridor_radius = 25.0;
-  double corridor_beyond = 15.0;
-  double corridor_nodes = 1000.0;
   double stiffness_scale = 10.0;
   bool fix_bone = true;
   bool fix_cut = true;
@@ -21,18 +20,29 @@ struct DeformableBodySettings {
   template <typename S = DeformableBodySettings>
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"corridor_radius_mm", &S::corridor_radius, Range{1.0, 200.0}, "mm", "about the planned path",
-                  Origin::choice},
-        Parameter{"corridor_beyond_mm", &S::corridor_beyond, Range{0.0, 200.0}, "mm",
-                  "length of the corridor behind the target", Origin::choice},
-        Parameter{"corridor_nodes", &S::corridor_nodes, Range{10.0, 5000.0}, "", "at most, those nearest to the path",
-                  Origin::choice},
         Parameter{"stiffness_scale", &S::stiffness_scale, Range{0.001, 1000.0}, "",
                   "factor on Young's modulus of every tissue", Origin::choice},
         Parameter{"fix_bone", &S::fix_bone, "bone and metal do not move", Origin::choice},
         Parameter{"fix_cut", &S::fix_cut, "faces where the mesh ends inside the patient do not move", Origin::choice},
         Parameter{"fix_beyond_mm", &S::fix_beyond, Range{1.0, 1000.0}, "mm",
                   "along the planned path behind the entry: deeper nodes do not move", Origin::choice}};
+  }
+};
+
+// Which nodes of a deformable body the needle can meet: its corridor.
+struct CorridorSettings {
+  double radius = 25.0;
+  double beyond = 15.0;
+  double nodes = 1000.0;
+
+  template <typename S = CorridorSettings>
+  static constexpr auto parameters() {
+    return std::tuple{Parameter{"corridor_radius_mm", &S::radius, Range{1.0, 200.0}, "mm", "about the planned path",
+                                Origin::choice},
+                      Parameter{"corridor_beyond_mm", &S::beyond, Range{0.0, 200.0}, "mm",
+                                "length of the corridor behind the target", Origin::choice},
+                      Parameter{"corridor_nodes", &S::nodes, Range{10.0, 5000.0}, "",
+                                "at most, those nearest to the path", Origin::choice}};
   }
 };
 
@@ -67,22 +77,12 @@ struct NeedleBendingSettings {
   }
 };
 
-// Where a needle's shaft meets a deformable body: at points of its line, wherever the mesh has its nodes.
-enum class NeedleContactKind : std::uint8_t {
-  nodes,  // as cases of earlier versions say; it means points
-  points
-};
-constexpr std::array<std::string_view, 2> enumeration_names(NeedleContactKind) {
-  return {"nodes", "points"};
-}
-
 // Settings of EmbeddedNeedle.
 struct EmbeddedNeedleSettings {
-  NeedleContactKind contact = NeedleContactKind::points;
   double tip_radius = 1.0;
   double point_spacing = 1.0;
+  double points_beyond = 15.0;
   double capture_radius = 1.5;
-  double spacing = 0.5;
   double puncture_time = 0.030;
   std::size_t most_nodes = 150;  // along the shaft; 1 to 160; no setting of a case
   DeformableBodySettings body;
@@ -91,21 +91,26 @@ struct EmbeddedNeedleSettings {
   template <typename S = EmbeddedNeedleSettings>
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"contact", &S::contact,
-                  "the shaft meets the body at points of its line; nodes, of earlier versions, means the same",
-                  Origin::choice},
         Parameter{"tip_radius_mm", &S::tip_radius, Range{0.2, 5.0}, "mm", "of the disk over which the tip pushes",
                   Origin::choice},
         Parameter{"point_spacing_mm", &S::point_spacing, Range{0.5, 5.0}, "mm", "between points of one tissue",
                   Origin::choice},
+        Parameter{"points_beyond_mm", &S::points_beyond, Range{0.0, 200.0}, "mm",
+                  "of the needle's line behind the target that has points", Origin::choice},
         Parameter{"capture_radius_mm", &S::capture_radius, Range{0.05, 20.0}, "mm",
                   "of the line past a point, at most, within which it takes full hold of the shaft", Origin::choice},
-        Parameter{"spacing_mm", &S::spacing, Range{0.05, 20.0}, "mm",
-                  "of mesh nodes, of earlier versions; changes nothing", Origin::choice},
         Parameter{"puncture_time_s", &S::puncture_time, Range{0.001, 1.0}, "s",
                   "in which the force of a puncture goes", Origin::choice},
         Inlined{&S::bending},
         Inlined{&S::body}};
+  }
+  // Of versions in which the shaft met nodes of the mesh.
+  static constexpr std::array<EarlierName, 5> earlier_names() {
+    return {{{"corridor_beyond_mm", "points_beyond_mm"},
+             {"contact"},
+             {"spacing_mm"},
+             {"corridor_radius_mm"},
+             {"corridor_nodes"}}};
   }
 };
 
@@ -116,6 +121,7 @@ struct ClosestNodeSettings {
   double relaxation = 0.030;
   double layer = 0.5;
   double longest = 300.0;
+  CorridorSettings corridor;
   DeformableBodySettings body;
 
   template <typename S = ClosestNodeSettings>
@@ -130,6 +136,7 @@ struct ClosestNodeSettings {
         Parameter{"layer_mm", &S::layer, Range{0.1, 10.0}, "mm",
                   "between the places where the tissue beside the shaft is looked up", Origin::choice},
         Parameter{"longest_mm", &S::longest, Range{1.0, 1000.0}, "mm", "of shaft in tissue", Origin::choice},
+        Inlined{&S::corridor},
         Inlined{&S::body}};
   }
 };

@@ -149,7 +149,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.recent_success = news.timings.recent_success;
   frame.timings = news.needle.ticks > 0 ? &news.timings : nullptr;
   frame.ultrasound = news.ultrasound.get();
-  frame.message = news.needle.corridor_left
+  frame.message = news.needle.past_points
                       ? "The needle is past the tissue that was computed ahead of it: draw it back a little."
                       : news.message;
   if (frame.follows_tip && is_touching()) frame.crosshair = frame.needle.translation();

@@ -56,7 +56,7 @@ std::string Practice::hint() const {
   if (const std::optional<double> left = taken_out_.remaining(); left && is_attempt(state()))
     return fmt::format("The needle is out. The attempt ends in {:.0f} s, unless it goes in again.", std::ceil(*left));
   if (is_saying()) return said_;
-  if (is_attempt(state()) && link_.news().needle.corridor_left) return frame_.message;
+  if (is_attempt(state()) && link_.news().needle.past_points) return frame_.message;
   if (feed_ != nullptr && control_.is_turning())
     return fmt::format("The needle is turned by {:.0f}° about its axis.", control_.wish().turn / degree);
   const bool is_above = state() == State::ready || state() == State::aiming;

@@ -30,7 +30,7 @@ std::string text_of_status(const station::StationStatus& status, const anatomy::
   const auto bar = static_cast<std::size_t>(std::clamp(std::lround(2.0 * force), 0L, 20L));
   const char* const hold = servo.frozen ? ", held" : servo.clutched ? ", clutch" : "";
   const char* const sight = status.needle.unseen ? ", NOT SEEN" : "";
-  const char* const place = status.needle.corridor_left ? ", PAST THE POINTS OF ITS LINE, draw back" : "";
+  const char* const place = status.needle.past_points ? ", PAST THE POINTS OF ITS LINE, draw back" : "";
   std::string text = fmt::format("{}{}{}  {:5.1f} mm  {:5.2f} N [{:<20}] {}{}", haptics::text_of(servo.state), hold,
                                  sight, now.depth, force, std::string(bar, '='), library.title(now.tissue), place);
   if (status.plunger_pressed) text += "  plunger pressed";

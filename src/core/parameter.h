@@ -125,6 +125,14 @@ struct Component {
   }
 };
 
+// A parameter's name in earlier versions, which files may still state. `now`: what it is called; empty: the parameter
+// is gone, and what is stated of it changes nothing. A struct that has some returns an array of them from
+// earlier_names().
+struct EarlierName {
+  std::string_view name;
+  std::string_view now = {};
+};
+
 // The parameters of a member as if they were the struct's own.
 template <typename Owner, typename Value>
 struct Inlined {
@@ -201,6 +209,15 @@ template <typename Owner, typename Value>
 inline constexpr bool is_list<ChildElements<Owner, Value>> = true;
 
 }  // namespace parameter_detail
+
+// The names of parameters that the struct had in earlier versions.
+template <Parameterized Settings>
+constexpr auto earlier_names_of() {
+  if constexpr (requires { Settings::earlier_names(); })
+    return Settings::earlier_names();
+  else
+    return std::array<EarlierName, 0>();
+}
 
 // Calls visit(entry, values...) for each entry of the table, those of groups inlined; `values` are the entry's
 // members in the structs given, which are all of one type. Entries are Parameter, Component, Alternatives,

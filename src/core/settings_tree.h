@@ -68,6 +68,17 @@ namespace settings_detail {
 [[noreturn]] void refuse_unknown(const SettingsTree& tree, std::string_view file, const std::string& what,
                                  const std::string& known);
 
+// The value that a tree states of a parameter, by its name or an earlier one; nullptr: none.
+template <typename Settings>
+const std::string* stated_value(const SettingsTree& tree, std::string_view parameter) {
+  if (const std::string* text = tree.find(parameter); text != nullptr) return text;
+  for (const EarlierName& earlier : earlier_names_of<Settings>()) {
+    if (earlier.now != parameter) continue;
+    if (const std::string* text = tree.find(earlier.name); text != nullptr) return text;
+  }
+  return nullptr;
+}
+
 template <typename Settings>
 void read_values(Settings& settings, const SettingsTree& tree, std::string_view file, std::string_view word) {
   std::string known;
@@ -79,7 +90,7 @@ void read_values(Settings& settings, const SettingsTree& tree, std::string_view 
         if (!counts_for(parameter, word)) return;
         known += (known.empty() ? "" : ", ") + std::string(parameter.name);
         joint += parameter.is_joint ? 1 : 0;
-        const std::string* text = tree.find(parameter.name);
+        const std::string* text = stated_value<Settings>(tree, parameter.name);
         if (text == nullptr) return;
         ++found;
         joint_found += parameter.is_joint ? 1 : 0;
@@ -96,6 +107,8 @@ void read_values(Settings& settings, const SettingsTree& tree, std::string_view 
   if (found == tree.values.size()) return;
   for (const auto& value : tree.values) {
     bool is_known = false;
+    for (const EarlierName& earlier : earlier_names_of<Settings>())
+      is_known = is_known || earlier.name == value.first;
     for_each_parameter(
         [&](const auto& parameter, const auto&) {
           is_known = is_known || (counts_for(parameter, word) && parameter.name == value.first);

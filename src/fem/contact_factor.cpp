@@ -26,7 +26,7 @@ ContactFactor::ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most
       most_rows_(3 * most_nodes),
       stride_(upper_triangular::padded(3 * most_nodes)) {
   if (compliance.rows() != compliance.cols() || compliance.rows() % 3 != 0 || compliance.rows() == 0) {
-    throw InputError("contact: the compliance of the corridor is " + std::to_string(compliance.rows()) + " x " +
+    throw InputError("contact: the compliance of the body is " + std::to_string(compliance.rows()) + " x " +
                      std::to_string(compliance.cols()) + ", expected 3 rows and columns for each of its nodes");
   }
   if (most_nodes == 0) throw InputError("contact: room for 0 nodes, expected at least 1");

@@ -20,8 +20,8 @@ using ConstraintDirections = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::Col
 //
 //   U^T U = B^T S B + F + diag(c);   f = U^-1 U^-T d
 //
-// S: compliance of the corridor, mm/N, 3 rows and columns for each node. B: one column for each direction in which a
-// node is constrained, in the order in which the constraints were added. d: displacement that each constraint
+// S: compliance of the body's points, mm/N, 3 rows and columns for each node. B: one column for each direction in
+// which a node is constrained, in the order in which the constraints were added. d: displacement that each constraint
 // imposes, relative to the position without these forces, mm. f: its force, N. c: compliance of the constraint
 // itself, mm/N, 0 if it is rigid. F: for needles that bend, the flexibility between two lateral constraints of a beam
 // clamped at depth 0, times the cosine between their directions; 0 for constraints along the needle. A node
@@ -39,7 +39,7 @@ class ContactFactor {
   ContactFactor(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
                 const std::optional<NeedleBeam>& beam = {});
 
-  // Adds a constraint. Returns false, and changes nothing, at full capacity, for a node that the corridor does not
+  // Adds a constraint. Returns false, and changes nothing, at full capacity, for a node that the body does not
   // have, and if U would be numerically singular, as by the same node twice. `compliance`: mm/N, >= 0. `depth`: mm,
   // >= 0, of a lateral constraint of a bending needle; negative for one along the needle.
   bool append(std::uint32_t node, const ConstraintDirections& directions, double compliance = 0.0,

@@ -18,7 +18,7 @@ namespace bodkin::fem {
 // LatestValue.
 class DisplayField {
  public:
-  // `columns`: 3 x points rows and 3 columns a node of the corridor, mm/N, single precision: displacement of every
+  // `columns`: 3 x points rows and 3 columns a node that has them, mm/N, single precision: displacement of every
   // point (x y z in turn) by 1 N on the node. Throws InputError when rows or columns are not in threes, or none.
   explicit DisplayField(const Eigen::MatrixXf& columns);
   // The same of some nodes only: 3 columns for each of `nodes` (each once), whose names are below `all`.

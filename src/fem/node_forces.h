@@ -24,16 +24,16 @@ struct NodeForces {
   std::array<NodeForce, capacity> nodes{};  // capacity; the first `count` are in use
 };
 
-// Forces on the nodes of a corridor or on contact points, by the nodes of the mesh. A force on a point is spread over
-// the corners of its element, as the point moves with them.
-inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& corridor) noexcept {
-  if (!corridor.has_contact_points()) {
-    for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = corridor.mesh_nodes[forces.nodes[i].node];
+// Forces on contact points, or on the nodes of a corridor, by the nodes of the mesh. A force on a point is spread
+// over the corners of its element, as the point moves with them.
+inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& body) noexcept {
+  if (!body.has_contact_points()) {
+    for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = body.mesh_nodes[forces.nodes[i].node];
     return forces;
   }
   NodeForces spread;
   for (std::size_t i = 0; i < forces.count && i < NodeForces::most_contacts; ++i) {
-    const anatomy::PlaceInElement& place = corridor.in_mesh[forces.nodes[i].node];
+    const anatomy::PlaceInElement& place = body.in_mesh[forces.nodes[i].node];
     for (std::size_t corner = 0; corner < 4; ++corner) {
       if (place.weights[corner] == 0.0) continue;
       const auto share = static_cast<float>(place.weights[corner]);

@@ -12,7 +12,7 @@
 namespace bodkin::fem {
 
 // The compliance between the nodes along a needle, in the frame of the insertion: along the needle and two directions
-// across it, 3 numbers for each node. It is copied from the corridor's compliance, where it is scattered over much
+// across it, 3 numbers for each node. It is copied from the body's compliance, where it is scattered over much
 // memory; each pair of nodes is fetched once.
 class ShaftCompliance {
  public:
@@ -21,7 +21,7 @@ class ShaftCompliance {
 
   // Removes all nodes. `frame`: columns along the needle and across it.
   void begin(const Mat3& frame) noexcept;
-  // Adds a node; returns false, and changes nothing, at full capacity and if the corridor does not have the node.
+  // Adds a node; returns false, and changes nothing, at full capacity and if the body does not have the node.
   // pop() removes the last one.
   bool push(std::uint32_t node) noexcept;
   void pop() noexcept { --count_; }

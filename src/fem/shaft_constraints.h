@@ -36,7 +36,7 @@ class ShaftConstraints {
   // Removes all nodes. `frame`: columns along the needle and across it.
   void begin(const Mat3& frame) noexcept;
   // Adds the node in front of the tip; known() counts it from now on. push() makes it a node of the shaft. Returns
-  // false, and changes nothing, if there is one already, at full capacity, and if the corridor does not have the
+  // false, and changes nothing, if there is one already, at full capacity, and if the body does not have the
   // node.
   bool add_before_tip(std::uint32_t node) noexcept;
   // Adds a node to the shaft, without constraints except that of constrain_before_tip(). The lateral constraint of
@@ -109,7 +109,7 @@ class ShaftConstraints {
   ShaftCompliance compliance_;
   ContactFactor across_;
   ShaftSchurComplement along_;
-  std::vector<std::uint32_t> nodes_;  // most_nodes + 1; in the corridor
+  std::vector<std::uint32_t> nodes_;  // most_nodes + 1; in the body
   std::vector<double> depths_;        // most_nodes + 1; mm
   std::vector<Last> lasts_;           // by node
   std::vector<double> above_;         // by node and direction: its columns of the factor U

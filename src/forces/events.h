@@ -20,10 +20,10 @@ enum class EventKind : std::uint8_t {
   withdrawn,           // the needle left the body
   force_limited,       // the governor had to intervene; value = force asked for, N
   fault,               // a value was not finite or a device failed; force ramps to zero
-  corridor_left,       // the needle is past the contact points of its line in a deformable body; value = 0
-  corridor_taken,      // contact points of another line than before; value = -1 the planned path, -2 the needle's own
+  points_passed,       // the needle is past the contact points of its line in a deformable body; value = 0
+  line_taken,          // contact points of another line than before; value = -1 the planned path, -2 the needle's own
                        // line; of older versions the tick that a corridor of mesh nodes was aimed at
-  corridor_refreshed,  // the needle begins or continues in a body that moves by itself; value = 1
+  moving_body_met,     // the needle begins or continues in a body that moves by itself; value = 1
   moving_body_failed,  // the solver of the body that a probe presses failed: the static one is used; value = 0
   fluid_returned,      // cerebrospinal fluid comes back through the needle; value = flow, mm^3/s
   pressure_lost,       // the syringe's plunger gives way; value = drop of pressure, MPa

@@ -28,19 +28,18 @@ const anatomy::EmbeddedNeedleSettings* with_points(const anatomy::Case& patient)
 anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Case& patient,
                                  const anatomy::NeedlePath& path, const anatomy::EmbeddedNeedleSettings& settings) {
   const std::vector<fem::NeedleStation> stations =
-      fem::stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
+      fem::stations_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
   return body.contact_points(stations, path.direction(), settings.tip_radius, 0, body.bind(patient.left_needles, {}));
 }
 
 // `cache`: empty for none.
-std::shared_ptr<const fem::ContactBody> contact_body(const fem::BodyDescription& body,
+std::shared_ptr<const fem::ContactBody> contact_body(const std::shared_ptr<const fem::BodyDescription>& body,
                                                      const std::filesystem::path& cache, const Progress& progress,
                                                      const std::function<void(const std::string&)>& note) {
-  const auto shared = std::make_shared<const fem::BodyDescription>(body);
-  auto whole = fem::contact_body_with_cache(cache, shared, progress, note);
+  auto whole = fem::contact_body_with_cache(cache, body, progress, note);
   if (note) {
     note(fmt::format("the needle meets points of its line in a body of {} nodes, whose factor takes {:.2f} GB",
-                     body.mesh.nodes.size(), 1e-9 * static_cast<double>(whole->factor().bytes())));
+                     body->mesh.nodes.size(), 1e-9 * static_cast<double>(whole->factor().bytes())));
   }
   return whole;
 }
@@ -53,26 +52,30 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
                                                             const std::function<void(const std::string&)>& note,
                                                             std::shared_ptr<const fem::ContactBody>* kept) {
   const anatomy::DeformableBodySettings& settings = *anatomy::body_of(patient.description.haptics.resistance);
-  fem::DescribedBody described = fem::describe_body(std::move(mesh), patient, settings, about);
+  const auto body =
+      std::make_shared<fem::BodyDescription>(fem::describe_body(std::move(mesh), patient, settings, about));
   if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
     const std::filesystem::path cache = folder.empty() ? folder : folder / factor_file_name;
-    const auto whole = contact_body(described.body, cache, progress, note);
-    patient.corridor = {std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)),
+    const auto whole = contact_body(body, cache, progress, note);
+    patient.prepared = {std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)),
                         about};
     if (kept != nullptr) *kept = whole;
-    return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+    return body;
   }
-  if (note) {  // of the corridor of nodes
-    for (const std::string& sentence : described.notes) note(sentence);
+  std::vector<std::string> notes;
+  body->corridor = fem::corridor_about(
+      *body, about, std::get<anatomy::ClosestNodeSettings>(patient.description.haptics.resistance).corridor, notes);
+  if (note) {
+    for (const std::string& sentence : notes) note(sentence);
   }
   const std::optional<anatomy::NeedlePath>& planned = patient.description.procedure.path;
-  anatomy::CondensedBody body =
+  anatomy::CondensedBody condensed =
       !folder.empty() && planned && same(about, *planned)
-          ? fem::condensed_with_cache(folder / body_file_name, described.body, {}, progress, note)
-          : fem::condense(described.body, {}, progress, note);
-  fem::take_tissues_of_voxels(body, patient);
-  patient.corridor = {std::make_shared<const anatomy::CondensedBody>(std::move(body)), about};
-  return std::make_shared<const fem::BodyDescription>(std::move(described.body));
+          ? fem::condensed_with_cache(folder / body_file_name, *body, {}, progress, note)
+          : fem::condense(*body, {}, progress, note);
+  fem::take_tissues_of_voxels(condensed, patient);
+  patient.prepared = {std::make_shared<const anatomy::CondensedBody>(std::move(condensed)), about};
+  return body;
 }
 
 }  // namespace
@@ -114,8 +117,8 @@ std::unique_ptr<fem::ContactStream> contact_stream(const fem::BodyDescription& b
                                                    std::shared_ptr<fem::ContactLine> line) {
   const anatomy::EmbeddedNeedleSettings* points = with_points(*patient);
   if (points == nullptr) return nullptr;
-  if (kept == nullptr) kept = contact_body(body, {}, {}, {});
-  const fem::ContactStreamSettings settings{.length = length + points->body.corridor_beyond,
+  if (kept == nullptr) kept = contact_body(std::make_shared<const fem::BodyDescription>(body), {}, {}, {});
+  const fem::ContactStreamSettings settings{.length = length + points->points_beyond,
                                             .spacing = points->point_spacing,
                                             .tip_radius = points->tip_radius,
                                             .left = patient->left_needles};

@@ -33,7 +33,7 @@ std::shared_ptr<const fem::BodyDescription> prepare_body(anatomy::Case& patient,
                                                          const std::function<void(const std::string&)>& note,
                                                          std::shared_ptr<const fem::ContactBody>* kept = nullptr);
 
-// The same from a mesh in memory, with a corridor about `path`; nothing is written. Nothing is done when the
+// The same from a mesh in memory, about `path`; nothing is written. Nothing is done when the
 // resistance needs no body. Throws InputError for everything that describe_body() and condense() refuse.
 void prepare_body(anatomy::Case& patient, anatomy::TetrahedralMesh mesh, const anatomy::NeedlePath& path,
                   const Progress& progress = {}, std::shared_ptr<const fem::ContactBody>* kept = nullptr);

@@ -88,7 +88,7 @@ class Tick {
           patient_->data, patient_->folder, {}, {}, [](const std::string&) {}, &whole);
     tick_.emplace(patient_->data);
     if (whole == nullptr) return;
-    points_ = patient::contact_stream(patient_->data, patient_->data.corridor.path.length(), std::move(whole),
+    points_ = patient::contact_stream(patient_->data, patient_->data.prepared.path.length(), std::move(whole),
                                       tick_->body()->stream_points(simulation::BodyPort::PointTiming::in_time));
   }
 

@@ -132,11 +132,11 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return "the needle has left the body";
     case forces::EventKind::force_limited:
       return fmt::format("force limited, {:.1f} N were asked for", event.value);
-    case forces::EventKind::corridor_left:
+    case forces::EventKind::points_passed:
       return "the needle is past the contact points of its line";
-    case forces::EventKind::corridor_taken:
+    case forces::EventKind::line_taken:
       return "the needle begins on another line than before";
-    case forces::EventKind::corridor_refreshed:
+    case forces::EventKind::moving_body_met:
       return "the needle is in tissue that the probe has moved";
     case forces::EventKind::moving_body_failed:
       return "the moving body failed: the probe lost its force, the needle finds the body at rest";
@@ -182,8 +182,8 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
 bool is_notable(forces::EventKind kind) {
   return kind == forces::EventKind::puncture || kind == forces::EventKind::loss_of_resistance ||
          kind == forces::EventKind::bone_contact || kind == forces::EventKind::force_limited ||
-         kind == forces::EventKind::fault || kind == forces::EventKind::corridor_left ||
-         kind == forces::EventKind::corridor_taken || kind == forces::EventKind::corridor_refreshed ||
+         kind == forces::EventKind::fault || kind == forces::EventKind::points_passed ||
+         kind == forces::EventKind::line_taken || kind == forces::EventKind::moving_body_met ||
          kind == forces::EventKind::moving_body_failed || kind == forces::EventKind::fluid_returned ||
          kind == forces::EventKind::hub_contact || kind == forces::EventKind::needle_buckled ||
          kind == forces::EventKind::pressure_lost || kind == forces::EventKind::points_late ||

@@ -107,13 +107,13 @@ std::string changed_parts(const std::string& recorded, const anatomy::Case& pati
 }
 
 std::string digest_of_body(const anatomy::Case& patient) {
-  if (patient.corridor.body == nullptr) return "";
-  return fmt::format("{:016x}", fem::digest_of(*patient.corridor.body));
+  if (patient.prepared.body == nullptr) return "";
+  return fmt::format("{:016x}", fem::digest_of(*patient.prepared.body));
 }
 
 std::string digest_of_points(const anatomy::Case& patient) {
-  if (patient.corridor.body == nullptr) return "";
-  return fmt::format("{:016x}", fem::points_digest_of(*patient.corridor.body));
+  if (patient.prepared.body == nullptr) return "";
+  return fmt::format("{:016x}", fem::points_digest_of(*patient.prepared.body));
 }
 
 std::string first_case_digest(const anatomy::Case& patient, const std::string& case_xml) {

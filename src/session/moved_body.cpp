@@ -40,7 +40,7 @@ fem::BodySolverSettings moving_body_settings(const std::string& text, const std:
 
 void check_moved_body(const Session& session) {
   const auto moved = [](const SessionEvent& event) {
-    return event.event.kind == forces::EventKind::corridor_refreshed ||
+    return event.event.kind == forces::EventKind::moving_body_met ||
            event.event.kind == forces::EventKind::moving_body_failed;
   };
   const auto first = std::find_if(session.events.begin(), session.events.end(), moved);

@@ -107,7 +107,7 @@ class PointsTaken {
       : port_(port) {
     const bool own_lines = std::any_of(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
       return event.event.kind == forces::EventKind::points_taken ||
-             (event.event.kind == forces::EventKind::corridor_taken &&
+             (event.event.kind == forces::EventKind::line_taken &&
               event.event.value == simulation::BodyPort::own_line);
     });
     if (!own_lines) return;
@@ -214,7 +214,7 @@ std::string body_difference(const Session& session, const anatomy::Case& patient
 
 void check_recomputable(const Session& session) {
   for (const SessionEvent& event : session.events) {
-    if (event.event.kind == forces::EventKind::corridor_taken && event.event.value >= 0.0) {
+    if (event.event.kind == forces::EventKind::line_taken && event.event.value >= 0.0) {
       throw InputError(fmt::format(
           "the session cannot be recomputed: at {:.3f} s its needle took another corridor of mesh nodes, which older "
           "versions of Bodkin prepared; 'bodkin report' and 'bodkin export' show what was felt",

@@ -41,12 +41,21 @@ constexpr std::array<std::string_view, 29> number_names = {"needle_x_axis_x",
                                                            "energy"};
 
 constexpr std::array<std::string_view, 29> kind_names = {
-    "contact",         "puncture",           "loss_of_resistance", "bone_contact",   "bone_left",
-    "tissue_entered",  "withdrawn",          "force_limited",      "fault",          "corridor_left",
-    "corridor_taken",  "corridor_refreshed", "moving_body_failed", "fluid_returned", "pressure_lost",
-    "hub_contact",     "needle_buckled",     "points_taken",       "points_late",    "palpated",
-    "stylet_out",      "stylet_in",          "manometer_on",       "manometer_off",  "pressure_read",
-    "fluid_collected", "hand_lost",          "hand_seen",          "points_coupled"};
+    "contact",         "puncture",        "loss_of_resistance", "bone_contact",   "bone_left",
+    "tissue_entered",  "withdrawn",       "force_limited",      "fault",          "points_passed",
+    "line_taken",      "moving_body_met", "moving_body_failed", "fluid_returned", "pressure_lost",
+    "hub_contact",     "needle_buckled",  "points_taken",       "points_late",    "palpated",
+    "stylet_out",      "stylet_in",       "manometer_on",       "manometer_off",  "pressure_read",
+    "fluid_collected", "hand_lost",       "hand_seen",          "points_coupled"};
+
+struct EarlierKind {
+  std::string_view name;
+  forces::EventKind kind;
+};
+// What versions 0.1 and 0.2 wrote into CSV and JSON files.
+constexpr std::array<EarlierKind, 3> earlier_kinds = {{{"corridor_left", forces::EventKind::points_passed},
+                                                       {"corridor_taken", forces::EventKind::line_taken},
+                                                       {"corridor_refreshed", forces::EventKind::moving_body_met}}};
 
 // Visits every number of a record in the order of `number_names`; `Record` may be const.
 template <typename Record, typename Visit>
@@ -182,8 +191,10 @@ std::string_view event_kind_name(forces::EventKind kind) {
 
 std::optional<forces::EventKind> event_kind_of(std::string_view name) {
   const auto* const found = std::find(kind_names.begin(), kind_names.end(), name);
-  if (found == kind_names.end()) return std::nullopt;
-  return static_cast<forces::EventKind>(found - kind_names.begin());
+  if (found != kind_names.end()) return static_cast<forces::EventKind>(found - kind_names.begin());
+  const auto* const earlier = std::ranges::find(earlier_kinds, name, &EarlierKind::name);
+  if (earlier == earlier_kinds.end()) return std::nullopt;
+  return earlier->kind;
 }
 
 bool is_of_other_hand(std::string_view event) noexcept {

@@ -41,7 +41,7 @@ bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_ch
 
 // As sessions and CSV files write the kind of an event: "puncture", "loss_of_resistance", ...
 std::string_view event_kind_name(forces::EventKind kind);
-// The kind of that name; nothing where no kind has it.
+// The kind of that name, or of one that it had in an earlier version; nothing where no kind has it.
 std::optional<forces::EventKind> event_kind_of(std::string_view name);
 // Whether an event of this name comes only from a second hand: a finger that feels, stylet, manometer and fluid. Not
 // every patient has places for it.

@@ -16,7 +16,7 @@ namespace bodkin::simulation {
 // how it moves by itself, and what the needle does to it.
 class BodyPort {
  public:
-  // Value of the event corridor_taken for a needle beside the planned line (stream_points); on it -1.
+  // Value of the event line_taken for a needle beside the planned line (stream_points); on it -1.
   static constexpr double own_line = -2.0;
 
   // When a needle takes the points of its line: as they become known, without waiting; in the ticks that

@@ -20,7 +20,7 @@ constexpr double least_cosine = 0.2;  // between needle and line, as EmbeddedNee
 
 // The contact points of the planned line, or the nodes of the corridor, as the resistance needs them.
 const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case& patient, bool of_points) {
-  const std::shared_ptr<const anatomy::CondensedBody>& body = patient.corridor.body;
+  const std::shared_ptr<const anatomy::CondensedBody>& body = patient.prepared.body;
   if (body != nullptr && body->has_contact_points() == of_points) return body;
   throw InputError(
       std::string(anatomy::name_of(patient.description.haptics.resistance)) +
@@ -29,7 +29,7 @@ const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case
 
 double stiffness_on_path(const anatomy::CondensedBody& body, const anatomy::NeedlePath& path,
                          const anatomy::EmbeddedNeedleSettings& settings) {
-  return fem::shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.body.corridor_beyond,
+  return fem::shaft_stiffness(body, path.entry, path.direction(), path.length() + settings.points_beyond,
                               settings.most_nodes);
 }
 
@@ -91,7 +91,7 @@ DeformableShaft::DeformableShaft(const anatomy::Case& patient, const anatomy::Em
                                  double dt)
     : bone_(patient), deforms_(goes_by_material(patient.description.haptics)) {
   const std::shared_ptr<const anatomy::CondensedBody>& body = body_in(patient, true);
-  const double found = stiffness_on_path(*body, patient.corridor.path, settings);
+  const double found = stiffness_on_path(*body, patient.prepared.path, settings);
   const double rendered = std::min(found, patient.description.device.stiffness);
   if (rendered < found) scale_ = rendered / found;
   if (rendered < found) spring_ = 1.0 / rendered - 1.0 / found;
@@ -163,7 +163,7 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   puncture_ = found.puncture;
   const bool beyond = found.beyond && !growing_;
   if (beyond && !beyond_ && !bone_.met())  // at bone the points end, for it does not move
-    events.push({forces::EventKind::corridor_left, needle.tissue, needle.motion.depth, 0.0});
+    events.push({forces::EventKind::points_passed, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = beyond;
   const Vec3 across = found.on_hand.force + found.resistance * direction_;
   const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it

@@ -50,7 +50,7 @@ NeedleInBody::NeedleInBody(const anatomy::Case& patient, const Settings& setting
     : patient_(&patient),
       settings_(settings),
       dt_(dt),
-      path_(patient.corridor.path),
+      path_(patient.prepared.path),
       planned_(patient, settings, dt) {}
 
 std::shared_ptr<fem::ContactLine> NeedleInBody::stream_points(PointTiming timing) {
@@ -154,8 +154,7 @@ forces::ResistanceForce NeedleInBody::step(const forces::NeedleInTissue& needle,
                                            forces::TickEvents& events) noexcept {
   if (change_.goes_on()) set_numbers(change_.next());
   if (!std::exchange(announced_, true)) {
-    events.push(
-        {forces::EventKind::corridor_taken, needle.tissue, needle.motion.depth, beside_plan_ ? own_line : -1.0});
+    events.push({forces::EventKind::line_taken, needle.tissue, needle.motion.depth, beside_plan_ ? own_line : -1.0});
   }
   if (line_ != nullptr) take_known_points(needle, events);
   if (motion_ != nullptr || breath_.field != nullptr) take_motion(needle, events);
@@ -254,7 +253,7 @@ void NeedleInBody::take_motion(const forces::NeedleInTissue& needle, forces::Tic
   const std::span<const float> of_mesh = newest == nullptr ? std::span<const float>() : newest->moved;
   const bool moves = model().move_with(of_mesh, breath_);
   if (!moves || motion_ == nullptr || std::exchange(told_motion_, true)) return;
-  events.push({forces::EventKind::corridor_refreshed, needle.tissue, needle.motion.depth, 1.0});
+  events.push({forces::EventKind::moving_body_met, needle.tissue, needle.motion.depth, 1.0});
 }
 
 // A probe that has come to rest holds other nodes than those with which the needle's points are coupled.

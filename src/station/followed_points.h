@@ -18,7 +18,7 @@ namespace bodkin::station {
 // own, and by what the body does by itself, which update() tells.
 class FollowedPoints {
  public:
-  // `elastic`: the body's, with its whole factor; `path`: of the corridor; `points`: LPS mm, at rest, one or more;
+  // `elastic`: the body's, with its whole factor; `path`: the planned one; `points`: LPS mm, at rest, one or more;
   // `left`: needles in the body, which hold the tissue. `whole`, of a needle that goes anywhere: what it does away
   // from the path is computed when it is there (fem::GrowingField). `surface`: nodes that a probe may hold.
   // Throws InputError when what is precomputed does not fit into memory. `mesh` must outlive this.

@@ -80,12 +80,11 @@ struct HandSession::Shared {
                   record.output.resistance, record.output.constraint, record.output.tissue});
     for (const forces::Event& event : record.output.events) {
       events.push({record.tick, event});
-      if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn)
-        corridor_left = false;
-      if (event.kind == forces::EventKind::corridor_left) corridor_left = true;
+      if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn) past_points = false;
+      if (event.kind == forces::EventKind::points_passed) past_points = true;
     }
-    HandSnapshot now{ticks,         record.input.needle, ahead,           record.output,
-                     corridor_left, record.input.other,  numbers.taken(), unseen_for.has_value()};
+    HandSnapshot now{ticks,       record.input.needle, ahead,           record.output,
+                     past_points, record.input.other,  numbers.taken(), unseen_for.has_value()};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0, carried.by, carried.turn};
@@ -159,7 +158,7 @@ struct HandSession::Shared {
   std::optional<double> unseen_for;  // s for which a tracked hand has not been seen; empty: it is
   session::Recorder recorder;
   std::uint64_t ticks = 0;
-  bool corridor_left = false;
+  bool past_points = false;
   LatestValue<HandSnapshot> snapshot;
   SingleProducerRing<HandSample> samples{observed_ticks};
   SingleProducerRing<session::SessionEvent> events{observed_events};

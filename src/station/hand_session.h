@@ -42,7 +42,7 @@ struct HandSnapshot {
   Pose needle = Pose::Identity();
   Vec3 needle_ahead = Vec3::Zero();  // mm, see BodyPort
   simulation::TickOutput output;     // without events
-  bool corridor_left = false;        // the needle is past the contact points of its line: the force is not valid
+  bool past_points = false;          // the needle is past the contact points of its line: the force is not valid
   simulation::OtherHand other;       // of that tick
   std::uint32_t changes = 0;         // of the force models' numbers so far
   bool unseen = false;               // a tracked hand is not seen: the needle rests where it was

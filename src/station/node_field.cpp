@@ -10,6 +10,9 @@ namespace bodkin::station {
 
 namespace {
 
+constexpr double before_entry = 5.0, behind_target = 15.0;  // mm, of the line about which a picture knows forces
+constexpr double picture_around = 25.0;                     // mm from that line
+constexpr std::size_t most_picture_nodes = 1000;
 constexpr double hand_around = 15.0;           // mm from the path, where a free hand's needle may be
 constexpr std::size_t most_hand_nodes = 1000;  // that have columns
 constexpr std::size_t spare_hand_nodes = 400;  // of these, for a needle farther away, and what a probe holds
@@ -52,6 +55,27 @@ std::vector<fem::PointInMesh> places_of(const std::vector<std::uint32_t>& nodes)
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> nodes_of_picture(const fem::BodyDescription& body, const anatomy::NeedlePath& path) {
+  std::vector<bool> fixed(body.mesh.nodes.size(), false);
+  for (const std::uint32_t node : body.fixed) fixed[node] = true;
+  const anatomy::NeedlePath line{path.entry - before_entry * path.direction(),
+                                 path.target + behind_target * path.direction()};
+  std::vector<NearNode> near;
+  for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node)
+    if (!fixed[node]) near.emplace_back(distance_to(line, body.mesh.nodes[node]), node);
+  std::vector<std::uint32_t> nodes = nearest(near, picture_around, most_picture_nodes);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+fem::ElasticBody body_of_picture(const fem::BodyDescription& body, const fem::ContactBody* whole,
+                                 const anatomy::NeedlePath& path, const Progress& progress) {
+  if (whole == nullptr) return {body, fem::plan_body(body, progress), {}, progress};
+  fem::BodyDescription drawn = body;
+  drawn.corridor = nodes_of_picture(body, path);
+  return {drawn, fem::plan_body(drawn, progress, whole->edges()), {}, progress};
+}
 
 std::vector<std::uint32_t> nodes_of_shaft(const fem::ElasticBody& elastic, const anatomy::TetrahedralMesh& mesh,
                                           const anatomy::NeedlePath& path, double around, std::size_t most) {

@@ -16,6 +16,15 @@
 
 namespace bodkin::station {
 
+// The free nodes about a path, one at least, that a picture of the body can know the forces on: the corridor that its
+// description needs.
+std::vector<std::uint32_t> nodes_of_picture(const fem::BodyDescription& body, const anatomy::NeedlePath& path);
+
+// The body that the needle feels, for its picture: with its whole factor, and with the corridor of `body` or, where
+// the needle meets contact points (`whole`, else null), nodes_of_picture(). Throws InputError as ElasticBody does.
+fem::ElasticBody body_of_picture(const fem::BodyDescription& body, const fem::ContactBody* whole,
+                                 const anatomy::NeedlePath& path, const Progress& progress);
+
 // The nodes of the corridor that a needle within `around` mm of `path` can hold, as the mesh calls them: one at
 // least, the nearest first, `most` at most.
 std::vector<std::uint32_t> nodes_of_shaft(const fem::ElasticBody& elastic, const anatomy::TetrahedralMesh& mesh,

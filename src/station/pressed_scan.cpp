@@ -74,8 +74,8 @@ PressedScan::PressedScan(const anatomy::Case& patient, const std::filesystem::pa
   const anatomy::DeformableBodySettings* const of_case = anatomy::body_of(patient.description.haptics.resistance);
   anatomy::DeformableBodySettings settings = of_case != nullptr ? *of_case : anatomy::DeformableBodySettings();
   settings.stiffness_scale = 1.0;  // a probe presses the tissue as it is; the scale is meant for needles
-  fem::DescribedBody described = fem::describe_body(std::move(mesh->mesh), patient, settings, *path);
-  body_ = std::make_shared<const fem::BodyDescription>(std::move(described.body));
+  body_ = std::make_shared<const fem::BodyDescription>(
+      fem::describe_body(std::move(mesh->mesh), patient, settings, *path));
   if (const auto tissue = fem::tissue_with_fibres(body_->mesh, body_->materials)) {
     if (note)
       note(fmt::format(

@@ -114,13 +114,11 @@ void Station::Parts::prepare_patient() {
 void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
   if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
   const Progress progress = observer.progress();
-  // The body that the needle feels, for the picture as well.
-  fem::QuadraticEdges edges = whole_body != nullptr ? whole_body->edges() : fem::QuadraticEdges();
-  const fem::ElasticBody elastic(*body, fem::plan_body(*body, progress, std::move(edges)), {}, progress);
+  const fem::ElasticBody elastic = body_of_picture(*body, whole_body.get(), patient->prepared.path, progress);
   const fem::LeftNeedleForces left(whole_body.get(), options.left_needles);
   const auto surface = moving == nullptr ? std::span<const std::uint32_t>() : moving->surface();
   if (!wanted.empty())
-    points.emplace(elastic, body->mesh, patient->corridor.path, wanted, progress, left, whole_body, surface);
+    points.emplace(elastic, body->mesh, patient->prepared.path, wanted, progress, left, whole_body, surface);
   if (options.ultrasound) field = std::make_unique<NodeField>(elastic, *body, path, progress, left, whole_body);
 }
 

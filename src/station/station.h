@@ -30,7 +30,7 @@ struct StationResult {
 };
 
 // A session in which a hand on a device performs a procedure, put together from options: device, servo, haptic tick,
-// deformable body with its corridors, second hand, probe, ultrasound, recorder. The command `bodkin perform`, an
+// deformable body, second hand, probe, ultrasound, recorder. The command `bodkin perform`, an
 // application, a server and a test all start this.
 //
 //   Station station(options, observer);          // everything is checked, opened and prepared

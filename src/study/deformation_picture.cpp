@@ -62,7 +62,7 @@ std::vector<float> displacements_at(const fem::BodyDescription& body, const fem:
 
 imaging::Canvas deformation_picture(const anatomy::Case& patient, const fem::BodyDescription& body,
                                     const DeformedMoment& moment, const Progress& progress) {
-  const anatomy::NeedlePath& path = patient.corridor.path;
+  const anatomy::NeedlePath& path = patient.prepared.path;
   const Vec3 tip = moment.needle.translation(), along = needle_axis(moment.needle);
   const imaging::SlicePlane plane =
       imaging::sagittal_plane_along(path, tip - 0.25 * side * along, side, side, side / pixels_across);

@@ -21,13 +21,13 @@ struct DeformedMoment {
 };
 
 // How a body at rest moves under forces, mm, x y z at each point (LPS mm) in turn; nothing outside its mesh. `body`:
-// what a corridor was made of (prepare_body); it is factorised anew, for the displacement of all of it. Throws
+// what was prepared (prepare_body); it is factorised anew, for the displacement of all of it. Throws
 // InputError when that does not fit into memory.
 std::vector<float> displacements_at(const fem::BodyDescription& body, const fem::NodeForces& forces,
                                     const std::vector<Vec3>& points, const Progress& progress = {});
 
 // The patient in the plane of the path, at rest and as the needle deforms it, side by side with the needle.
-// `body`: what the patient's corridor was made of (prepare_body); it is factorised anew, for the
+// `body`: what prepare_body() has returned for the patient; it is factorised anew, for the
 // displacement of all of it. Throws InputError when that does not fit into memory.
 imaging::Canvas deformation_picture(const anatomy::Case& patient, const fem::BodyDescription& body,
                                     const DeformedMoment& moment, const Progress& progress = {});

@@ -243,7 +243,7 @@ ExperimentRun play(const io::Experiment& experiment, const Progress& progress,
   simulation::HapticTick tick(patient);
   std::unique_ptr<fem::ContactStream> points;  // of the lines on which the motion leads the needle
   if (whole != nullptr && tick.body() != nullptr) {
-    points = patient::contact_stream(patient, patient.corridor.path.length(), std::move(whole),
+    points = patient::contact_stream(patient, patient.prepared.path.length(), std::move(whole),
                                      tick.body()->stream_points(simulation::BodyPort::PointTiming::in_time));
   }
   Mover mover(experiment.motion);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "patient/meshing/mesh_record.h"
 #include "tests/fem/calculix.h"
@@ -22,10 +24,11 @@ inline void expect_same_as_calculix(const std::filesystem::path& folder) {
   unsetenv("BODKIN_IMAGES_WORKER");
   auto mesh = ::bodkin::patient::read_case_mesh(folder, patient.library);
   ASSERT_TRUE(mesh.has_value());
-  ::bodkin::anatomy::DeformableBodySettings settings;
-  settings.corridor_nodes = 300;
-  ::bodkin::checks::expect_what_calculix_says(
-      ::bodkin::fem::describe_body(mesh->mesh, patient, settings, *patient.description.procedure.path).body, 60);
+  const ::bodkin::anatomy::NeedlePath& path = *patient.description.procedure.path;
+  ::bodkin::fem::BodyDescription body = ::bodkin::fem::describe_body(mesh->mesh, patient, {}, path);
+  std::vector<std::string> notes;
+  body.corridor = ::bodkin::fem::corridor_about(body, path, {.nodes = 300.0}, notes);
+  ::bodkin::checks::expect_what_calculix_says(body, 60);
 }
 
 }  // namespace bodkin_test

@@ -76,7 +76,7 @@ Attempt attempt_of(const anatomy::Case& patient, Whole whole, const simulation::
   for (double time = 0.0; time < longest_search && !loop.finished(); time += loop.dt()) {
     loop.step(record);
     for (const forces::Event& event : record.output.events) {
-      if (event.kind == forces::EventKind::corridor_left) attempt.left_line = true;
+      if (event.kind == forces::EventKind::points_passed) attempt.left_line = true;
       if (event.kind == forces::EventKind::loss_of_resistance) lost = true;
       if (event.kind == forces::EventKind::puncture && event.tissue == anatomy::tissue::dura) return attempt;
     }
@@ -108,8 +108,7 @@ int found_by(const anatomy::Case& patient, const Whole& whole, const std::string
 anatomy::Case deformable(const std::filesystem::path& folder, anatomy::Mechanics mechanics, Whole& whole) {
   anatomy::Case patient = io::load_case(folder);
   patient.description.haptics.mechanics = mechanics;
-  patient.description.haptics.resistance =
-      anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
+  patient.description.haptics.resistance = anatomy::EmbeddedNeedleSettings{};
   patient::prepare_body(patient, folder, {}, {}, {}, &whole);
   return patient;
 }

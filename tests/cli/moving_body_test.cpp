@@ -44,7 +44,7 @@ TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_n
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500 --merge-layers").exit_code, 0);
   const std::string two =
-      "--resistance 'embedded_needle corridor_nodes=100 stiffness_scale=1' --constraint none "
+      "--resistance 'embedded_needle stiffness_scale=1' --constraint none "
       "--second simulated --second-as probe --second-settings 'speed_mm_s=40 depth_mm=15 lateral_mm=35 wait_s=30' ";
   const Outcome thin = bodkin("-q perform patient simulated --body 'moving width_mm=0.5' " + two + "-o thin.bodkin");
   EXPECT_EQ(thin.exit_code, 2) << thin.text();
@@ -61,7 +61,7 @@ TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_n
   EXPECT_EQ(nlohmann::json::parse(session.header.moving_body).at("width_mm"), 50.0);
   EXPECT_TRUE(std::any_of(session.events.begin(), session.events.end(),
                           [](const ::bodkin::session::SessionEvent& event) {
-                            return event.event.kind == ::bodkin::forces::EventKind::corridor_refreshed;
+                            return event.event.kind == ::bodkin::forces::EventKind::moving_body_met;
                           }))
       << outcome.text();
   double pressed = 0.0;

@@ -30,8 +30,7 @@ class NeedleWork : public MeshedPatient {
   static anatomy::Case patient_with(anatomy::Mechanics mechanics, const std::vector<anatomy::NeedlePath>& left) {
     anatomy::Case patient = io::load_case(folder_ / "patient");
     patient.description.haptics.mechanics = mechanics;
-    patient.description.haptics.resistance =
-        anatomy::EmbeddedNeedleSettings{.contact = anatomy::NeedleContactKind::points};
+    patient.description.haptics.resistance = anatomy::EmbeddedNeedleSettings{};
     patient.left_needles = left;
     patient::prepare_body(patient, folder_ / "patient", {}, {}, {});
     return patient;
@@ -49,7 +48,7 @@ Found push_about(const anatomy::Case& patient, double friction, std::uint64_t se
   fem::ContactTissues tissues = simulation::contact_tissues(patient);
   for (fem::ContactTissue& tissue : tissues) tissue.friction *= friction;
   Random random(seed);
-  WorkingHand hand(*patient.corridor.body, tissues, *patient.description.procedure.path);
+  WorkingHand hand(*patient.prepared.body, tissues, *patient.description.procedure.path);
   for (int way = 0; way < 12; ++way) {
     const Vec3 goal(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.0, deepest_push));
     const bool tilts = way % 3 != 0;

@@ -49,7 +49,7 @@ TEST_F(StiffSkinCase, has_its_skin_in_the_mesh_about_the_path_and_bends_it) {
   auto mesh = ::bodkin::patient::read_case_mesh(folder_ / "patient", patient.library);
   ASSERT_TRUE(mesh.has_value());
   const NeedlePath path = *patient.description.procedure.path;
-  const auto body = std::make_shared<const BodyDescription>(describe_body(mesh->mesh, patient, {}, path).body);
+  const auto body = std::make_shared<const BodyDescription>(describe_body(mesh->mesh, patient, {}, path));
   std::vector<bool> fixed(body->mesh.nodes.size(), false);
   for (const std::uint32_t node : body->fixed) fixed[node] = true;
   const std::vector<bool> chosen = elements_of_stiff_skin(body->mesh, body->materials, fixed);

@@ -76,7 +76,7 @@ class BevelRig {
  private:
   static EmbeddedNeedleSettings settings(double spacing) {
     EmbeddedNeedleSettings settings;
-    settings.capture_radius = settings.spacing = 0.9 * spacing;
+    settings.capture_radius = 0.9 * spacing;
     settings.most_nodes = 160;
     return settings;
   }

@@ -82,7 +82,7 @@ TEST(FlexibleNeedle, on_winklers_foundation_it_is_hetenyis_beam) {
   for (const double spacing : {2.0, 1.0, 0.5}) {
     const CondensedBody body = winkler_body(static_cast<int>(60.0 / spacing), spacing, 1.0);
     EmbeddedNeedleSettings settings;
-    settings.capture_radius = settings.spacing = 0.4 * spacing;
+    settings.capture_radius = 0.4 * spacing;
     NeedleRig rig(body, checks::plain_tissues(0.0), settings, bending(steel_24g));
     rig.move(60.0, 50.0);
     rig.move(Vec3(1.0, 0.0, 60.0), 50.0);

@@ -24,7 +24,6 @@ inline ContactTissues plain_tissues(double friction) {
 inline EmbeddedNeedleSettings narrow_settings() {
   EmbeddedNeedleSettings settings;
   settings.capture_radius = 0.6;
-  settings.spacing = 0.4;
   return settings;
 }
 

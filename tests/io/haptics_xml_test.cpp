@@ -18,7 +18,9 @@ using namespace bodkin::anatomy;
 using namespace bodkin::io;
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 HapticSettings haptics_of(const std::string& inside) {
   static const XmlSchema schema("case.xsd");
@@ -89,20 +91,42 @@ TEST(HapticsXml, every_setting_of_every_resistance_arrives) {
       6.0);
   EXPECT_TRUE(same_bits(
       resistance_of<EmbeddedNeedleSettings>(
-          "<embedded_needle contact='points' tip_radius_mm='0.5' point_spacing_mm='2' capture_radius_mm='1' "
-          "spacing_mm='0.8' puncture_time_s='0.02' flexible='true' "
-          "modulus_MPa='2e5' stylet='true' hold='pinned' cut_offset_mm='0.1' corridor_radius_mm='20' "
-          "corridor_beyond_mm='10' corridor_nodes='500' stiffness_scale='2' fix_bone='false' fix_cut='false' "
-          "fix_beyond_mm='60'/>"),
-      {NeedleContactKind::points,
-       0.5,
+          "<embedded_needle tip_radius_mm='0.5' point_spacing_mm='2' points_beyond_mm='10' capture_radius_mm='1' "
+          "puncture_time_s='0.02' flexible='true' modulus_MPa='2e5' stylet='true' hold='pinned' "
+          "cut_offset_mm='0.1' stiffness_scale='2' fix_bone='false' fix_cut='false' fix_beyond_mm='60'/>"),
+      {0.5,
        2.0,
+       10.0,
        1.0,
-       0.8,
        0.02,
        EmbeddedNeedleSettings{}.most_nodes,
-       {20.0, 10.0, 500.0, 2.0, false, false, 60.0},
+       {2.0, false, false, 60.0},
        {true, 2e5, true, NeedleHold::pinned, 0.1}}));
+  EXPECT_TRUE(
+      same_bits(resistance_of<ClosestNodeSettings>(
+                    "<closest_node capture_radius_mm='3' presliding_N_per_mm='2' relaxation_s='0.1' layer_mm='1' "
+                    "longest_mm='50' corridor_radius_mm='20' corridor_beyond_mm='10' corridor_nodes='500' "
+                    "stiffness_scale='2' fix_bone='false' fix_cut='false' fix_beyond_mm='60'/>"),
+                {3.0, 2.0, 0.1, 1.0, 50.0, {20.0, 10.0, 500.0}, {2.0, false, false, 60.0}}));
+}
+
+// The shaft met nodes of the mesh then, and the file said which.
+TEST(HapticsXml, a_needle_of_an_earlier_version_arrives) {
+  EmbeddedNeedleSettings expected;
+  expected.tip_radius = 0.5;
+  expected.points_beyond = 10.0;
+  EXPECT_TRUE(
+      same_bits(resistance_of<EmbeddedNeedleSettings>(
+                    "<embedded_needle contact='nodes' tip_radius_mm='0.5' spacing_mm='0.8' corridor_radius_mm='20' "
+                    "corridor_beyond_mm='10' corridor_nodes='500'/>"),
+                expected));
+  expected.points_beyond = 12.0;
+  EXPECT_TRUE(same_bits(resistance_of<EmbeddedNeedleSettings>(
+                            "<embedded_needle tip_radius_mm='0.5' corridor_beyond_mm='10' points_beyond_mm='12'/>"),
+                        expected));
+  EXPECT_THAT(refused_haptics("<resistance><embedded_needle contact='edges'/></resistance>"),
+              HasSubstr("contact is 'edges', expected "));
+  EXPECT_THAT(haptics_xml({.resistance = expected}), Not(AnyOf(HasSubstr("contact="), HasSubstr("corridor"))));
 }
 
 TEST(HapticsXml, a_surface_and_a_model_of_the_program_arrive) {
@@ -246,7 +270,7 @@ TEST(HapticsXml, the_defaults_that_the_schema_states_are_those_of_the_settings) 
                           haptics_of(role.before + "<" + name + "/>" + role.after)))
         << name << all;
   }
-  EXPECT_EQ(checked, 141);
+  EXPECT_EQ(checked, 137);
 }
 
 TEST(HapticsXml, the_defaults_that_the_schema_states_for_friction_are_those_of_the_settings) {

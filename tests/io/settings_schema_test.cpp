@@ -180,6 +180,9 @@ class Comparison {
           ++compared_;
         },
         defaults);
+    for (const EarlierName& earlier : earlier_names_of<Settings>()) {
+      EXPECT_EQ(attributes.erase(std::string(earlier.name)), 1U) << place << " " << earlier.name;
+    }
     for (const auto& [name, attribute] : attributes) EXPECT_TRUE(other_.contains(name)) << place << " " << name;
   }
 

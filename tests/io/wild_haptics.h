@@ -77,20 +77,24 @@ inline auto members(const ShaftFrictionSettings& s) {
   return std::tie(a);
 }
 inline auto members(const DeformableBodySettings& s) {
-  const auto& [a, b, c, d, e, f, g] = s;
-  return std::tie(a, b, c, d, e, f, g);
+  const auto& [a, b, c, d] = s;
+  return std::tie(a, b, c, d);
+}
+inline auto members(const CorridorSettings& s) {
+  const auto& [a, b, c] = s;
+  return std::tie(a, b, c);
 }
 inline auto members(const NeedleBendingSettings& s) {
   const auto& [a, b, c, d, e] = s;
   return std::tie(a, b, c, d, e);
 }
 inline auto members(const EmbeddedNeedleSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h, i] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i);
+  const auto& [a, b, c, d, e, f, g, h] = s;
+  return std::tie(a, b, c, d, e, f, g, h);
 }
 inline auto members(const ClosestNodeSettings& s) {
-  const auto& [a, b, c, d, e, f] = s;
-  return std::tie(a, b, c, d, e, f);
+  const auto& [a, b, c, d, e, f, g] = s;
+  return std::tie(a, b, c, d, e, f, g);
 }
 inline auto members(const LineSpringSettings& s) {
   const auto& [a, b, c] = s;
@@ -278,22 +282,24 @@ inline ResistanceSettings wild_resistance(Random& random) {
     case 9:
       return RegisteredSettings{"somebodys_model", {{"force_N", value_text(number(0.0, 5.0))}, {"mode", "fast"}}, {}};
     default: {
-      const DeformableBodySettings body{
-          number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0), number(1e-3, 1e3), coin(), coin(),
-          number(1.0, 1000.0)};
+      const DeformableBodySettings body{number(1e-3, 1e3), coin(), coin(), number(1.0, 1000.0)};
       if (coin())
         return EmbeddedNeedleSettings{
-            coin() ? NeedleContactKind::points : NeedleContactKind::nodes,
             number(0.2, 5.0),
             number(0.5, 5.0),
-            number(0.05, 20.0),
+            number(0.0, 200.0),
             number(0.05, 20.0),
             number(0.001, 1.0),
             150,
             body,
             {coin(), number(1e3, 5e5), coin(), coin() ? NeedleHold::pinned : NeedleHold::clamped, number(0.0, 2.0)}};
-      return ClosestNodeSettings{number(0.05, 50.0), number(0.01, 100.0), number(0.001, 1.0),
-                                 number(0.1, 10.0),  number(1.0, 1000.0), body};
+      return ClosestNodeSettings{number(0.05, 50.0),
+                                 number(0.01, 100.0),
+                                 number(0.001, 1.0),
+                                 number(0.1, 10.0),
+                                 number(1.0, 1000.0),
+                                 {number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0)},
+                                 body};
     }
   }
 }

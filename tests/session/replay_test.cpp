@@ -189,11 +189,11 @@ TEST_F(Replay, says_which_part_of_a_deformable_body_is_another_one) {
                      .tissues = {tissue::skin, tissue::fat},
                      .compliance = Eigen::MatrixXd::Identity(6, 6)};
   const auto said = [&](const CondensedBody& now) {
-    with_body.corridor.body = std::make_shared<const CondensedBody>(now);
+    with_body.prepared.body = std::make_shared<const CondensedBody>(now);
     return replay_session(*session_, with_body).body_difference;
   };
   Session recorded = *session_;
-  with_body.corridor.body = std::make_shared<const CondensedBody>(body);
+  with_body.prepared.body = std::make_shared<const CondensedBody>(body);
   recorded.header.body_digest = digest_of_body(with_body);
   recorded.header.body_points = digest_of_points(with_body);
   std::swap(*session_, recorded);
@@ -204,7 +204,7 @@ TEST_F(Replay, says_which_part_of_a_deformable_body_is_another_one) {
   CondensedBody elsewhere = body;
   elsewhere.nodes[1].z() += 1e-15;
   EXPECT_THAT(said(elsewhere), HasSubstr("has other contact points than in the session"));
-  with_body.corridor.body = nullptr;
+  with_body.prepared.body = nullptr;
   EXPECT_THAT(replay_session(*session_, with_body).body_difference, HasSubstr("has not been prepared"));
   session_->header.body_points.clear();  // an older session
   EXPECT_THAT(said(softer), HasSubstr("has another compliance than in the session"));

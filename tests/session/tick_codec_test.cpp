@@ -54,10 +54,28 @@ TEST(TickCodec, other_events_keep_these_bytes_at_zero) {
 }
 
 TEST(TickCodec, every_kind_of_event_has_a_name) {
-  for (int kind = 0; kind <= static_cast<int>(EventKind::points_late); ++kind)
-    EXPECT_NE(event_kind_name(static_cast<EventKind>(kind)), "unknown") << kind;
+  for (int kind = 0; kind <= static_cast<int>(EventKind::points_coupled); ++kind) {
+    const std::string_view name = event_kind_name(static_cast<EventKind>(kind));
+    EXPECT_NE(name, "unknown") << kind;
+    EXPECT_EQ(event_kind_of(name), static_cast<EventKind>(kind)) << name;
+  }
   EXPECT_EQ(event_kind_name(EventKind::needle_buckled), "needle_buckled");
   EXPECT_EQ(event_kind_name(EventKind::points_late), "points_late");
+  EXPECT_FALSE(event_kind_of("corridor").has_value());
+}
+
+// Sessions have their numbers, CSV files and messages their names.
+TEST(TickCodec, events_of_earlier_versions_are_read) {
+  const std::vector<std::pair<std::string, EventKind>> earlier = {{"corridor_left", EventKind::points_passed},
+                                                                  {"corridor_taken", EventKind::line_taken},
+                                                                  {"corridor_refreshed", EventKind::moving_body_met}};
+  std::uint8_t number = 9;
+  for (const auto& [name, kind] : earlier) {
+    EXPECT_EQ(event_kind_of(name), kind) << name;
+    std::vector<std::uint8_t> bytes;
+    encode_event(0, {kind, anatomy::tissue::skin, 12.0, 1.0}, bytes);
+    EXPECT_EQ(bytes[4], number++) << name;
+  }
 }
 
 }  // namespace

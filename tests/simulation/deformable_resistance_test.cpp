@@ -62,7 +62,7 @@ Case deformable_patient(const ResistanceSettings& resistance, double device = 10
                                              : checks::kelvin_body(3, along, apart, modulus));
   for (std::size_t node = 0; node < body->nodes.size(); ++node)
     body->tissues[node] = deformable_tissue_at(body->nodes[node].z() + 0.01);
-  patient.corridor = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}};
+  patient.prepared = {std::move(body), NeedlePath{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 30.0)}};
   patient.description.device = {"strong", 100.0, 50.0, 1e6, device, 0.0};
   patient.description.haptics.resistance = resistance;
   patient.description.haptics.constraint = NoConstraint{};
@@ -125,7 +125,7 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
     const DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {.friction = here.friction, .puncture_force = here.puncture_force};
   }
-  EmbeddedNeedle needle(*patient.corridor.body, tissues, settings, one_tick);
+  EmbeddedNeedle needle(*patient.prepared.body, tissues, settings, one_tick);
   bool begun = false;
   for (double place = -1.0; place < 30.0; place += 0.05) {
     const Pose pose = needle_pose(Vec3(0.0005 * place, 0.0, place), Vec3::UnitZ());
@@ -311,7 +311,7 @@ TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_ener
   };
   EXPECT_EQ(count(EventKind::bone_contact), 1);
   EXPECT_EQ(count(EventKind::bone_left), 1);
-  EXPECT_EQ(count(EventKind::corridor_left), 0);  // bone has no nodes and needs none
+  EXPECT_EQ(count(EventKind::points_passed), 0);  // bone has no nodes and needs none
 }
 
 // Bent aside while it leans on bone, drawn back from there, and straightened: what the bent shaft pushes back with is
@@ -365,7 +365,7 @@ TEST(DeformableResistance, a_needle_beside_its_line_of_points_is_told) {
     events.insert(events.end(), output.events.begin(), output.events.end());
   }
   EXPECT_EQ(std::count_if(events.begin(), events.end(),
-                          [](const Event& event) { return event.kind == EventKind::corridor_left; }),
+                          [](const Event& event) { return event.kind == EventKind::points_passed; }),
             1);
 }
 
@@ -397,7 +397,7 @@ TEST(DeformableResistance, without_a_body_or_with_a_second_friction_it_is_refuse
   patient.description.haptics.parts.shaft_friction = ShaftFrictionSettings{};
   EXPECT_THROW(HapticTick{patient}, InputError);
   patient.description.haptics.parts.shaft_friction.reset();
-  patient.corridor.body.reset();
+  patient.prepared.body.reset();
   try {
     const HapticTick tick(patient);
     FAIL();

@@ -85,7 +85,7 @@ TEST(ForceRanges, both_ends_of_every_range_of_the_schema_can_be_simulated) {
   int tried = 0;
   const auto attempt = [&](const std::string& model, const std::string& before, const std::string& after) {
     const CondensedBody body = checks::kelvin_body(1, 4, 1.5);
-    patient.corridor = {std::make_shared<CondensedBody>(model == "closest_node" ? body : checks::as_points(body)),
+    patient.prepared = {std::make_shared<CondensedBody>(model == "closest_node" ? body : checks::as_points(body)),
                         NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 5.0)}};
     for (const ForceRange& range : ranges_of(text, model)) {
       for (const bool at_low : {true, false}) {

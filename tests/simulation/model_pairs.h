@@ -125,7 +125,7 @@ inline Case patient_for(const NamedResistance& resistance, const NamedConstraint
     static const auto fine =
         std::make_shared<const CondensedBody>(checks::as_points(*slab_body(patient.tissues, 1, 22, 2.0)));
     static const std::shared_ptr<const CondensedBody> coarse = slab_body(patient.tissues, 3, 4, 11.0);
-    patient.corridor = {std::holds_alternative<ClosestNodeSettings>(resistance.settings) ? coarse : fine,
+    patient.prepared = {std::holds_alternative<ClosestNodeSettings>(resistance.settings) ? coarse : fine,
                         NeedlePath{Vec3::Zero(), Vec3(0.0, 0.0, 40.0)}};
   }
   return patient;

@@ -46,7 +46,6 @@ inline BlockOfTissue block_of_tissue() {
   patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
   patient.description.haptics.constraint = NoConstraint{};
   EmbeddedNeedleSettings settings;
-  settings.body.corridor_radius = 8.0;
   settings.body.fix_cut = false;
   settings.body.fix_beyond = 55.0;
   patient.description.haptics.resistance = settings;
@@ -54,11 +53,10 @@ inline BlockOfTissue block_of_tissue() {
   patient.description.procedure.path = path;
   TetrahedralMesh mesh = kuhn_lattice(13, block_side);
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
-  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path).body);
+  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path));
   made.whole = std::make_shared<const ContactBody>(made.body);
-  const auto stations =
-      stations_along(path, path.length() + settings.body.corridor_beyond, settings.point_spacing, patient);
-  patient.corridor = {std::make_shared<const CondensedBody>(
+  const auto stations = stations_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
+  patient.prepared = {std::make_shared<const CondensedBody>(
                           made.whole->contact_points(stations, path.direction(), settings.tip_radius)),
                       path};
   return made;

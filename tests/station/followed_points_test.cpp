@@ -63,6 +63,26 @@ double worst(std::span<const float> found, const Eigen::VectorXd& expected) {
   return most;
 }
 
+// A needle that meets points of its line has no corridor of nodes: the picture takes those about the planned path.
+TEST(BodyOfPicture, knows_the_free_nodes_about_the_path_of_a_body_without_a_corridor) {
+  const SeenBlock block = seen_block();
+  BodyDescription body = *block.body;
+  body.corridor.clear();
+  const ContactBody whole(std::make_shared<const BodyDescription>(body));
+  const NeedlePath& path = *block.patient.description.procedure.path;
+  const ElasticBody elastic = body_of_picture(body, &whole, path, {});
+  ASSERT_GT(elastic.corridor().size(), 50U);
+  for (const std::uint32_t node : elastic.corridor()) {
+    const Vec3& at = body.mesh.nodes[node];
+    EXPECT_LE((at - Vec3(0.0, std::clamp(at.y(), -45.0, 5.0), 0.0)).norm(), 25.0 + 1e-9);
+    EXPECT_EQ(std::count(body.fixed.begin(), body.fixed.end(), node), 0);
+  }
+  const NeedlePath far_away{Vec3(0.0, 500.0, 0.0), Vec3(0.0, 470.0, 0.0)};
+  EXPECT_EQ(body_of_picture(body, &whole, far_away, {}).corridor().size(), 1U) << "the nearest";
+  body.corridor = {elastic.corridor()[0], elastic.corridor()[1]};
+  EXPECT_EQ(body_of_picture(body, nullptr, path, {}).corridor(), body.corridor);
+}
+
 TEST(FollowedPoints, move_with_a_needle_24_mm_beside_the_path) {
   const Followed rig;
   ASSERT_GE(rig.forces.count, 1U);

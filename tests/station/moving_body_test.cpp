@@ -205,7 +205,7 @@ TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_
   EXPECT_THAT(session.header.moving_body, HasSubstr("\"left_needles\":1"));
   EXPECT_THAT(session.header.moving_body, HasSubstr("\"nodes\":702,\"width_mm\":35.0"));
   const auto entered = std::find_if(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
-    return event.event.kind == EventKind::corridor_refreshed;
+    return event.event.kind == EventKind::moving_body_met;
   });
   ASSERT_NE(entered, session.events.end());
   EXPECT_GE(entered->event.value, 1.0);
@@ -262,7 +262,7 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
     found = output.requested.force;
     largest = std::max(largest, (found - before).norm());
     before = found;
-    for (const Event& event : output.events) told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+    for (const Event& event : output.events) told += event.kind == EventKind::moving_body_met ? 1 : 0;
     expected = aside.step({straight_down(-30.0 - 0.5 * std::min(1.0, 0.01 * tick), 24.0)}).requested.force;
   }
   EXPECT_LE(told, 1);
@@ -324,7 +324,7 @@ TEST(MovingBody, a_surface_that_is_pressed_deeper_is_met_deeper) {
   for (double depth = -4.0; depth < 15.0; depth += 0.05) {
     const TickOutput output = pressed.step({straight_down(-30.0, depth + 3.0)});
     found.push_back(output.resistance);
-    for (const Event& event : output.events) told += event.kind == EventKind::corridor_refreshed ? 1 : 0;
+    for (const Event& event : output.events) told += event.kind == EventKind::moving_body_met ? 1 : 0;
     expected.push_back(rest.step({straight_down(-30.0, depth)}).resistance);
     greatest = std::max(greatest, expected.back());
   }

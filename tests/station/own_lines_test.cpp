@@ -94,9 +94,9 @@ TEST(OwnLines, a_needle_enters_where_nothing_was_prepared) {
   const BlockOfTissue block = block_of_tissue();
   const Session session = session_on_own_lines(block, Points::in_time, through_one_hole);
   ASSERT_FALSE(session.ticks.empty());
-  EXPECT_EQ(values_of(session, EventKind::corridor_taken), std::vector<double>{BodyPort::own_line});
+  EXPECT_EQ(values_of(session, EventKind::line_taken), std::vector<double>{BodyPort::own_line});
   EXPECT_TRUE(values_of(session, EventKind::points_late).empty());
-  EXPECT_TRUE(values_of(session, EventKind::corridor_left).empty());
+  EXPECT_TRUE(values_of(session, EventKind::points_passed).empty());
   EXPECT_EQ(punctures_of(session, tissue::skin), 1);  // the second finds the hole
   double greatest = 0.0;
   for (const TickRecord& record : session.ticks) greatest = std::max(greatest, record.output.resistance);
@@ -154,7 +154,7 @@ TEST(OwnLines, are_felt_before_their_points_are_there) {
   ASSERT_FALSE(session.ticks.empty());
   EXPECT_EQ(values_of(session, EventKind::points_late).size(), 2U);  // once in each insertion
   EXPECT_EQ(punctures_of(session, tissue::skin), 0);
-  const Mat3 surface = block.patient.corridor.body->compliance.topLeftCorner<3, 3>();
+  const Mat3 surface = block.patient.prepared.body->compliance.topLeftCorner<3, 3>();
   const double compliance = aslant.dot(surface * aslant);
   int felt = 0;
   for (const TickRecord& record : session.ticks) {
@@ -170,7 +170,7 @@ TEST(OwnLines, are_felt_before_their_points_are_there) {
 TEST(OwnLines, a_session_in_another_corridor_of_nodes_is_refused_in_a_sentence) {
   const BlockOfTissue block = block_of_tissue();
   Session session = session_on_own_lines(block, Points::in_time, {{Vec3(15.0, 30.0, 0.0), Vec3::UnitZ(), 3.0}});
-  session.events.push_back({120, {EventKind::corridor_taken, tissue::skin, 0.1, 100.0}});
+  session.events.push_back({120, {EventKind::line_taken, tissue::skin, 0.1, 100.0}});
   try {
     replay_session(session, block.patient, {}, block.body.get());
     FAIL();

@@ -38,7 +38,6 @@ inline PressedBlock pressed_block() {
   patient.description.device = {"strong", 100.0, 50.0, 1e6, 100.0, 0.0};
   patient.description.haptics.constraint = NoConstraint{};
   EmbeddedNeedleSettings needle;
-  needle.body.corridor_radius = 15.0;
   needle.body.stiffness_scale = 1.0;
   needle.body.fix_cut = false;
   needle.body.fix_beyond = 45.0;
@@ -48,10 +47,10 @@ inline PressedBlock pressed_block() {
   for (Vec3& node : mesh.nodes) node -= Vec3(60.0, 50.0, 40.0);
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
   const NeedlePath& path = *patient.description.procedure.path;
-  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, needle.body, path).body);
+  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, needle.body, path));
   made.whole = std::make_shared<const ContactBody>(made.body);
   const auto stations = stations_along(path, path.length() + 10.0, needle.point_spacing, patient);
-  patient.corridor = {std::make_shared<const CondensedBody>(
+  patient.prepared = {std::make_shared<const CondensedBody>(
                           made.whole->contact_points(stations, path.direction(), needle.tip_radius)),
                       path};
   made.settings.probe.width = made.settings.probe.thickness = 35.0;

@@ -55,7 +55,7 @@ TEST(PressedLine, a_needle_beside_a_pressed_probe_is_coupled_with_the_nodes_that
     const TickOutput output = tick.step({straight_down(-30.0, depth)});
     if (depth < 0.0) line->wait_for(ContactLine::most_points);
     for (const Event& event : output.events)
-      own = own || (event.kind == EventKind::corridor_taken && event.value == BodyPort::own_line);
+      own = own || (event.kind == EventKind::line_taken && event.value == BodyPort::own_line);
     found.push_back(output.resistance);
     expected.push_back(alone.step({straight_down(-30.0, depth)}).resistance);
   }
@@ -76,7 +76,7 @@ TEST(PressedLine, a_needle_beside_a_pressed_probe_is_coupled_with_the_nodes_that
   const CondensedBody unbound = block.whole->contact_points(stations, path.direction(), settings.tip_radius);
   EXPECT_GT(unbound.compliance(1, 1), 1.01 * bound.compliance(1, 1)) << "along the needle, at the skin";
   ASSERT_GT(expected.back(), 0.01);
-  EXPECT_NEAR(found.back() / expected.back(), block.patient.corridor.body->compliance(1, 1) / bound.compliance(1, 1),
+  EXPECT_NEAR(found.back() / expected.back(), block.patient.prepared.body->compliance(1, 1) / bound.compliance(1, 1),
               0.001);
 }
 

@@ -86,7 +86,7 @@ TEST_F(PressedScanTest, the_body_moves_as_its_own_solver_has_it) {
   ASSERT_TRUE(scan.deforms());
   DeformableBodySettings settings;
   settings.stiffness_scale = 1.0;
-  const BodyDescription body = describe_body(mesh_, patient_, settings, *patient_.description.procedure.path).body;
+  const BodyDescription body = describe_body(mesh_, patient_, settings, *patient_.description.procedure.path);
   BodySolverSettings motion;
   motion.probe = face_of(choice_.probe, mesh_);
   DeformableBodySolver solver(body, motion);

@@ -90,7 +90,7 @@ TEST(ReleasedTurn, in_bent_tissue_it_is_nearest_to_the_tissue) {
   motion->write({1, moved});
   for (int i = 0; i < 600; ++i) tick.step({straight_down(-30.0, 22.0)});
   const Pose found = tick.body()->tissue_motion();
-  const CondensedBody& points = *block.patient.corridor.body;
+  const CondensedBody& points = *block.patient.prepared.body;
   const auto sum_of = [&](const Pose& line) {
     double sum = 0.0;
     for (std::size_t i = 0; i < points.nodes.size() && points.nodes[i].y() > -22.0; ++i) {

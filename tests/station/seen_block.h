@@ -54,7 +54,6 @@ inline SeenBlock seen_block() {
       for (int i = 0; i < 40; ++i) patient.ct.at(i, j, k) = j % 10 < 5 ? 50 : -100;
   patient.description.procedure.path = NeedlePath{Vec3::Zero(), Vec3(0.0, -30.0, 0.0)};
   DeformableBodySettings settings;
-  settings.corridor_radius = 15.0;
   settings.stiffness_scale = 1.0;
   settings.fix_cut = false;
   settings.fix_beyond = 45.0;
@@ -62,7 +61,9 @@ inline SeenBlock seen_block() {
   for (Vec3& node : mesh.nodes) node -= Vec3(40.0, 50.0, 40.0);
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
   const NeedlePath& path = *patient.description.procedure.path;
-  made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings, path).body);
+  BodyDescription body = describe_body(mesh, patient, settings, path);
+  body.corridor = nodes_of_picture(body, path);
+  made.body = std::make_shared<const BodyDescription>(std::move(body));
   made.sounding = acoustic_volume(patient, {});
   return made;
 }

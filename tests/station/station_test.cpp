@@ -117,8 +117,6 @@ class StationTest : public ::testing::Test {
   void make_deformable() {
     EmbeddedNeedleSettings needle;
     needle.capture_radius = 6.0;
-    needle.spacing = 5.0;
-    needle.body.corridor_radius = 12.0;
     needle.body.stiffness_scale = 1.0;
     needle.body.fix_cut = false;
     needle.body.fix_beyond = 45.0;

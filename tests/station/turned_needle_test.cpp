@@ -92,7 +92,7 @@ TEST(TurnedNeedle, meets_the_layers_that_lie_ahead_of_it_then) {
   for (const double x : {30.0, 15.0}) {
     const BlockOfTissue block = block_with_bone(x);
     const Session session = session_of(block, way(x, tilt, along + 10.0), BodyPort::PointTiming::as_known, true);
-    EXPECT_FALSE(has(session, EventKind::corridor_left)) << x;
+    EXPECT_FALSE(has(session, EventKind::points_passed)) << x;
     EXPECT_FALSE(has(session, EventKind::points_late)) << x;
     const std::vector<double> given = depths_of(session, EventKind::puncture, tissue::ligamentum_flavum);
     ASSERT_EQ(given.size(), 1U) << x;
@@ -106,7 +106,7 @@ TEST(TurnedNeedle, that_goes_straight_on_meets_the_bone) {
   const BlockOfTissue block = block_with_bone();
   const Session session = session_of(block, way(30.0, 0.0, 20.0), BodyPort::PointTiming::as_known, true);
   EXPECT_TRUE(has(session, EventKind::bone_contact));
-  EXPECT_FALSE(has(session, EventKind::corridor_left));
+  EXPECT_FALSE(has(session, EventKind::points_passed));
   EXPECT_TRUE(depths_of(session, EventKind::puncture, tissue::ligamentum_flavum).empty());
   int lines = 0;
   for (const SessionEvent& event : session.events) lines += event.event.kind == EventKind::points_taken ? 1 : 0;

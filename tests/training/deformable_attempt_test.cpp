@@ -80,10 +80,10 @@ TEST_F(DeformableAttempt, of_novices_stays_in_tissue_that_is_felt) {
   const simulation::OperatorScript script = session::load_operator("novice");
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     left_plan += count_of(simulate_attempt(block().patient, script, path(), seed, {.longest = 20.0}),
-                          forces::EventKind::corridor_left);
+                          forces::EventKind::points_passed);
     left_own += count_of(
         simulate_attempt(block().patient, script, path(), seed, {.longest = 20.0, .whole_body = block().whole}),
-        forces::EventKind::corridor_left);
+        forces::EventKind::points_passed);
   }
   EXPECT_GT(left_plan, 0);
   EXPECT_EQ(left_own, 0);

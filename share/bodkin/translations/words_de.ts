@@ -3808,8 +3808,8 @@
         <translation>mu_s; mindestens mu_d</translation>
     </message>
     <message>
-        <source>of mesh nodes, of earlier versions; changes nothing</source>
-        <translation>von Netzknoten, aus früheren Versionen; ändert nichts</translation>
+        <source>of the needle's line behind the target that has points</source>
+        <translation>der Linie der Nadel hinter dem Ziel, die Punkte hat</translation>
     </message>
     <message>
         <source>of shaft in tissue</source>
@@ -3842,6 +3842,10 @@
     <message>
         <source>point spacing</source>
         <translation>Abstand der Punkte</translation>
+    </message>
+    <message>
+        <source>points beyond</source>
+        <translation>Punkte hinter dem Ziel</translation>
     </message>
     <message>
         <source>presliding</source>

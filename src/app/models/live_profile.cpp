@@ -67,14 +67,18 @@ std::string recipe_of_body(const ModelSettings& settings) {
   if (body == nullptr) return {};
   std::string recipe(anatomy::name_of(settings.haptics.resistance));
   const auto add = [&recipe](auto number) { recipe += fmt::format(" {}", number); };
-  for (const double number :
-       {body->corridor_radius, body->corridor_beyond, body->corridor_nodes, body->stiffness_scale, body->fix_beyond})
-    add(number);
+  add(body->stiffness_scale);
+  add(body->fix_beyond);
   add(body->fix_bone);
   add(body->fix_cut);
   if (const auto* needle = std::get_if<anatomy::EmbeddedNeedleSettings>(&settings.haptics.resistance)) {
     add(needle->point_spacing);
+    add(needle->points_beyond);
     add(needle->tip_radius);
+  }
+  if (const auto* closest = std::get_if<anatomy::ClosestNodeSettings>(&settings.haptics.resistance)) {
+    for (const double number : {closest->corridor.radius, closest->corridor.beyond, closest->corridor.nodes})
+      add(number);
   }
   for (const anatomy::TissueProperties& tissue : settings.tissues) {
     const anatomy::DeformableTissue& material = tissue.deformable;
@@ -143,7 +147,7 @@ LiveProfile::~LiveProfile() {
 void LiveProfile::prepare(anatomy::Case& part, const ModelSettings& settings, const std::filesystem::path& folder,
                           const std::stop_token& stop) {
   const std::string recipe = recipe_of_body(settings);
-  part.corridor = {};
+  part.prepared = {};
   part.description.haptics = settings.haptics;
   part.library = anatomy::TissueLibrary(settings.tissues);
   patient::prepare_body(part, folder, std::nullopt,

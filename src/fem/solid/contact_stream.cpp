@@ -91,7 +91,7 @@ void ContactStream::find_points(const ContactLine::Line& line) {
   begin_ = line.entry;
   const anatomy::NeedlePath path{line.entry, line.entry + settings_.length * line.direction};
   points_.emplace(*body_, settings_.tip_radius, *bound_);
-  points_->add(stations_along(line.is_planned ? patient_->corridor.path : path, settings_.length, settings_.spacing,
+  points_->add(stations_along(line.is_planned ? patient_->prepared.path : path, settings_.length, settings_.spacing,
                               *patient_),
                line.direction);
 }
@@ -101,7 +101,7 @@ void ContactStream::compute(const ContactLine::Line& line) {
   find_points(line);
   const auto append = [&](const ContactPoint& point) { return line_->append(line, point); };
   if (line.is_planned && line.kept == 0)
-    append_known(*patient_->corridor.body, append);
+    append_known(*patient_->prepared.body, append);
   else
     points_->stream(line.kept, append);
 }

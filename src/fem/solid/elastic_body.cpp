@@ -73,7 +73,6 @@ std::vector<std::string> check_body(const BodyDescription& body) {
   std::vector<std::string> warnings = check_mesh(body.mesh);
   for (std::string& warning : check_materials(body.mesh, body.materials)) warnings.push_back(std::move(warning));
   check_supports(body.mesh, body.fixed);
-  check_corridor(body);
   return warnings;
 }
 
@@ -131,6 +130,7 @@ anatomy::CondensedBody condense(const BodyDescription& body, FactorOptions optio
   for (const std::string& warning : check_body(body)) {
     if (note) note(warning);
   }
+  check_corridor(body);
   options.keep_field = false;
   BodyPlan plan = plan_body(body, progress);
   if (note) {

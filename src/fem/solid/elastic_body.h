@@ -14,7 +14,9 @@
 
 namespace bodkin::fem {
 
-// What makes a body: its mesh, what each tissue is made of, which nodes do not move, and which the needle can meet.
+// What makes a body: its mesh, what each tissue is made of, and which nodes do not move. The corridor is the nodes to
+// which it is condensed: those that `closest_node` can meet, or those whose forces a picture knows. A body that keeps
+// its factor for contact points (ContactBody) has none.
 struct BodyDescription {
   anatomy::TetrahedralMesh mesh;
   ElasticMaterials materials;
@@ -22,7 +24,7 @@ struct BodyDescription {
   std::vector<std::uint32_t> corridor;  // nodes of the mesh, each once; fixed ones among them are left out
 };
 
-// Checks a body whole: its mesh, its materials, what holds it, and its corridor. Throws InputError, one sentence with
+// Checks a body whole: its mesh, its materials, and what holds it. Throws InputError, one sentence with
 // place and remedy; returns warnings of a mesh that is poor, one sentence each.
 std::vector<std::string> check_body(const BodyDescription& body);
 
@@ -68,8 +70,10 @@ class ElasticBody {
   MultifrontalCholesky factor_;
 };
 
-// From the description to the condensed body, checked, in the least memory. `note` hears the warnings of the check,
-// and how large the body is and what memory it will take, before that is taken; it may be empty.
+// From the description to the condensed body, checked, in the least memory. Throws InputError as well for a corridor
+// that names a node twice or one that is not in the mesh, and for one in which no node can move. `note` hears the
+// warnings of the check, and how large the body is and what memory it will take, before that is taken; it may be
+// empty.
 anatomy::CondensedBody condense(const BodyDescription& body, FactorOptions options = {},
                                 const Progress& progress = {},
                                 const std::function<void(const std::string&)>& note = {});

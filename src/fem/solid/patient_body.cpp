@@ -130,9 +130,8 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
 }
 
 // The planned path and what lies before and behind it, of which the corridor is prepared.
-std::pair<Vec3, Vec3> corridor_line(const anatomy::NeedlePath& path,
-                                    const anatomy::DeformableBodySettings& settings) {
-  return {path.entry - before_skin * path.direction(), path.target + settings.corridor_beyond * path.direction()};
+std::pair<Vec3, Vec3> corridor_line(const anatomy::NeedlePath& path, const anatomy::CorridorSettings& settings) {
+  return {path.entry - before_skin * path.direction(), path.target + settings.beyond * path.direction()};
 }
 
 // Tissue of the closest voxel within closest_voxel that is not air; air when there is no such voxel.
@@ -167,33 +166,29 @@ anatomy::TissueId tissue_beside(const anatomy::TissueVolume& tissues, const Vec3
 }  // namespace
 
 std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const anatomy::NeedlePath& path,
-                                          const anatomy::DeformableBodySettings& settings,
+                                          const anatomy::CorridorSettings& settings,
                                           std::vector<std::string>& notes) {
-  if (!(path.length() > 0.0)) {
-    throw InputError(
-        "the path about which the deformable body is prepared ends where it begins; give another target");
-  }
   const auto [from, to] = corridor_line(path, settings);
   std::vector<bool> fixed(body.mesh.nodes.size(), false);
   for (const std::uint32_t node : body.fixed) fixed[node] = true;
   std::vector<std::pair<double, std::uint32_t>> near;
   for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
     const double away = distance_to_segment(body.mesh.nodes[node], from, to);
-    if (!fixed[node] && away <= settings.corridor_radius) near.emplace_back(away, node);
+    if (!fixed[node] && away <= settings.radius) near.emplace_back(away, node);
   }
   if (near.empty()) {
     throw InputError(
         fmt::format("no node of the mesh that can move lies within {:g} mm of the path; mesh the patient anew "
                     "about this path, or give a larger corridor_radius_mm",
-                    settings.corridor_radius));
+                    settings.radius));
   }
-  const auto most = static_cast<std::size_t>(settings.corridor_nodes);
+  const auto most = static_cast<std::size_t>(settings.nodes);
   if (near.size() > most) {
     std::sort(near.begin(), near.end());
     notes.push_back(
         fmt::format("the corridor reaches {:.1f} mm from the path, for it has {} nodes at most, and {} lie within "
                     "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
-                    near[most - 1].first, most, near.size(), settings.corridor_radius));
+                    near[most - 1].first, most, near.size(), settings.radius));
     near.resize(most);
   }
   std::vector<std::uint32_t> nodes;
@@ -202,15 +197,17 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
   return nodes;
 }
 
-DescribedBody describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
-                            const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path) {
-  DescribedBody described;
-  BodyDescription& body = described.body;
+BodyDescription describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
+                              const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path) {
+  if (!(path.length() > 0.0)) {
+    throw InputError(
+        "the path about which the deformable body is prepared ends where it begins; give another target");
+  }
+  BodyDescription body;
   body.mesh = std::move(mesh);
   body.materials = materials_of(body.mesh, patient.library, settings.stiffness_scale);
   body.fixed = fixed_nodes(body.mesh, patient, patient.description.procedure.path.value_or(path), settings);
-  body.corridor = corridor_about(body, path, settings, described.notes);
-  return described;
+  return body;
 }
 
 void take_tissues_of_voxels(anatomy::CondensedBody& body, const anatomy::Case& patient) {

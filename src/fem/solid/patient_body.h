@@ -9,26 +9,18 @@
 
 namespace bodkin::fem {
 
-// A patient's mesh as a body that can be condensed, and the assumptions made, one sentence each.
-struct DescribedBody {
-  BodyDescription body;
-  std::vector<std::string> notes;
-};
-
-// What `settings` make of a patient's mesh, with the corridor about `path`. Materials are those of the tissue
+// What `settings` make of a patient's mesh; without a corridor. Materials are those of the tissue
 // library, Young's modulus times stiffness_scale. Fixed are, as the settings say, bone and metal (tissues that are
 // rigid in `layered`), the faces where the mesh ends but the patient does not (behind them lies tissue, or the edge
 // of the volume), and what lies beyond a depth along the planned path (`path` when the case has none). Throws
-// InputError when a tissue of the mesh has no material, and what corridor_about() does.
-DescribedBody describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
-                            const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path);
+// InputError when a tissue of the mesh has no material, and when `path` has no length.
+BodyDescription describe_body(anatomy::TetrahedralMesh mesh, const anatomy::Case& patient,
+                              const anatomy::DeformableBodySettings& settings, const anatomy::NeedlePath& path);
 
 // The nodes of a body that make the corridor about a path: the free ones that are closest to it, in ascending order.
-// A note is added when they exceed the limit. Throws InputError when the path has no length or no node
-// lies near it.
+// A note, one sentence, is added when they exceed the limit. Throws InputError when no node lies near the path.
 std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const anatomy::NeedlePath& path,
-                                          const anatomy::DeformableBodySettings& settings,
-                                          std::vector<std::string>& notes);
+                                          const anatomy::CorridorSettings& settings, std::vector<std::string>& notes);
 
 // The tissue that a needle meets at each node of a condensed body: that of the voxel there or, where that is air, of
 // the closest one within 3 mm that is not, so that thin layers which the mesh has merged are felt. Nodes next to

@@ -181,7 +181,7 @@ TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
   const NeedlePath planned{entry_in_box, entry_in_box + 40.0 * down};
   CondensedBody marked = complete_line(*body, *patient, entry_in_box, down);
   marked.compliance(0, 0) += 1.0;  // to be told from what is computed
-  patient->corridor = {std::make_shared<const CondensedBody>(marked), planned};
+  patient->prepared = {std::make_shared<const CondensedBody>(marked), planned};
   const auto line = std::make_shared<ContactLine>();
   const ContactStream stream(body, patient, {.length = 40.0}, line);
   line->ask_planned(planned.entry, planned.direction());

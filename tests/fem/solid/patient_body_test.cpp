@@ -61,7 +61,7 @@ bool is_fixed(const BodyDescription& body, const Vec3& at) {
 }
 
 TEST(DescribeBody, faces_behind_which_the_patient_goes_on_are_held) {
-  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}, block_path).body;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}, block_path);
   EXPECT_TRUE(is_fixed(body, {20, 20, 40}));   // the far side
   EXPECT_TRUE(is_fixed(body, {40, 20, 20}));   // the side on which there is more muscle
   EXPECT_FALSE(is_fixed(body, {0, 20, 20}));   // air
@@ -70,7 +70,7 @@ TEST(DescribeBody, faces_behind_which_the_patient_goes_on_are_held) {
   DeformableBodySettings settings;
   settings.fix_cut = false;
   settings.fix_beyond = 34.0;
-  const BodyDescription other = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
+  const BodyDescription other = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   EXPECT_FALSE(is_fixed(other, {40, 20, 20}));
   EXPECT_TRUE(is_fixed(other, {0, 0, 35}));
   EXPECT_FALSE(is_fixed(other, {0, 0, 30}));
@@ -84,10 +84,10 @@ TEST(DescribeBody, bone_is_held_unless_the_case_says_otherwise) {
         std::all_of(corners.begin(), corners.end(), [&](std::uint32_t node) { return mesh.nodes[node].x() < 5.1; });
     if (low) mesh.tissues[e] = tissue::cortical_bone;
   }
-  EXPECT_TRUE(is_fixed(describe_body(mesh, block_patient(), {}, block_path).body, {5, 20, 20}));
+  EXPECT_TRUE(is_fixed(describe_body(mesh, block_patient(), {}, block_path), {5, 20, 20}));
   DeformableBodySettings settings;
   settings.fix_bone = false;
-  EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path).body, {5, 20, 20}));
+  EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path), {5, 20, 20}));
 }
 
 // Pressed at the skin: what is held stays where it is, what lies between moves, and bone and the far side bear the
@@ -101,7 +101,7 @@ TEST(DescribeBody, bone_and_the_far_side_do_not_move_and_bear_what_presses_the_s
     };
     if (std::all_of(corners.begin(), corners.end(), is_in_bone)) mesh.tissues[e] = tissue::cortical_bone;
   }
-  const BodyDescription body = describe_body(mesh, block_patient(), {}, block_path).body;
+  const BodyDescription body = describe_body(mesh, block_patient(), {}, block_path);
   const auto node_at = [&](const Vec3& at) {
     const auto found = std::find_if(body.mesh.nodes.begin(), body.mesh.nodes.end(),
                                     [&](const Vec3& node) { return (node - at).norm() < 1e-9; });
@@ -126,27 +126,26 @@ TEST(DescribeBody, bone_and_the_far_side_do_not_move_and_bear_what_presses_the_s
 }
 
 TEST(DescribeBody, the_corridor_is_what_lies_nearest_to_the_path) {
-  DeformableBodySettings settings;
-  settings.corridor_radius = 7.5;
-  const DescribedBody all = describe_body(block_of_muscle(), block_patient(), settings, block_path);
-  EXPECT_TRUE(all.notes.empty());
-  for (std::uint32_t node = 0; node < all.body.mesh.nodes.size(); ++node) {
-    const Vec3& at = all.body.mesh.nodes[node];
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), {}, block_path);
+  EXPECT_TRUE(body.corridor.empty());
+  std::vector<std::string> notes;
+  const std::vector<std::uint32_t> all = corridor_about(body, block_path, {.radius = 7.5}, notes);
+  EXPECT_TRUE(notes.empty());
+  for (std::uint32_t node = 0; node < body.mesh.nodes.size(); ++node) {
+    const Vec3& at = body.mesh.nodes[node];
     const double beside = (at - Vec3(20.0, 20.0, std::clamp(at.z(), -5.0, 35.0))).norm();
-    const bool in = std::find(all.body.corridor.begin(), all.body.corridor.end(), node) != all.body.corridor.end();
-    EXPECT_EQ(in, beside <= 7.5 && !is_fixed(all.body, at)) << at.transpose();
+    const bool in = std::find(all.begin(), all.end(), node) != all.end();
+    EXPECT_EQ(in, beside <= 7.5 && !is_fixed(body, at)) << at.transpose();
   }
-  settings.corridor_nodes = 10;
-  const DescribedBody some = describe_body(block_of_muscle(), block_patient(), settings, block_path);
-  EXPECT_EQ(some.body.corridor.size(), 10U);
-  ASSERT_EQ(some.notes.size(), 1U);
-  EXPECT_THAT(some.notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
+  EXPECT_EQ(corridor_about(body, block_path, {.radius = 7.5, .nodes = 10.0}, notes).size(), 10U);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
 }
 
 TEST(DescribeBody, moduli_are_those_of_the_library_times_the_scale) {
   DeformableBodySettings settings;
   settings.stiffness_scale = 2.0;
-  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path).body;
+  const BodyDescription body = describe_body(block_of_muscle(), block_patient(), settings, block_path);
   ASSERT_NE(body.materials.find(tissue::muscle), nullptr);
   EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->young, 0.06);
   EXPECT_DOUBLE_EQ(body.materials.find(tissue::muscle)->poisson, 0.4);
@@ -155,7 +154,10 @@ TEST(DescribeBody, moduli_are_those_of_the_library_times_the_scale) {
 
 TEST(DescribeBody, thin_layers_that_the_mesh_has_merged_are_felt) {
   const Case patient = block_patient();
-  CondensedBody body = condense(describe_body(block_of_muscle(), patient, {}, block_path).body);
+  BodyDescription described = describe_body(block_of_muscle(), patient, {}, block_path);
+  std::vector<std::string> notes;
+  described.corridor = corridor_about(described, block_path, {}, notes);
+  CondensedBody body = condense(described);
   EXPECT_EQ(std::count(body.tissues.begin(), body.tissues.end(), tissue::skin), 0);
   body.nodes.front() = Vec3(20.0, 20.0, -1.4);  // a little outside, as the surface of a mesh is here and there
   take_tissues_of_voxels(body, patient);
@@ -175,7 +177,9 @@ TEST(DescribeBody, what_cannot_be_a_body_is_refused) {
   EXPECT_THAT(refusal([&] { describe_body(mesh, patient, {}, block_path); }),
               AllOf(HasSubstr("element 7"), HasSubstr("tissue 2"), HasSubstr("<deformable>")));
   const NeedlePath elsewhere{Vec3(500.0, 0.0, 0.0), Vec3(500.0, 0.0, 20.0)};
-  EXPECT_THAT(refusal([&] { describe_body(block_of_muscle(), patient, {}, elsewhere); }), HasSubstr("within 25 mm"));
+  const BodyDescription body = describe_body(block_of_muscle(), patient, {}, elsewhere);
+  std::vector<std::string> notes;
+  EXPECT_THAT(refusal([&] { corridor_about(body, elsewhere, {}, notes); }), HasSubstr("within 25 mm"));
 }
 
 }  // namespace
