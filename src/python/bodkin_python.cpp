@@ -94,6 +94,7 @@ class Tick {
 
   py::dict step(const Eigen::Matrix4d& pose) {
     const simulation::TickOutput output = tick_->step({.needle = pose_of(pose)});
+    if (points_ != nullptr) points_->throw_failure();
     const anatomy::TissueLibrary& library = patient_->data.library;
     py::dict result;
     result["force"] = Vec3(output.applied.force);
@@ -135,6 +136,7 @@ class Tick {
         events.append(event);
       }
     }
+    if (points_ != nullptr) points_->throw_failure();
     py::dict result;
     result["force"] = std::move(force);
     result["depth"] = std::move(depth);

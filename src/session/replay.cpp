@@ -131,6 +131,13 @@ class PointsTaken {
     }
   }
 
+  // Why points are missing, one sentence; empty: none are.
+  std::string failure() {
+    const std::vector<std::string> failures =
+        stream_ == nullptr ? std::vector<std::string>() : stream_->take_failures();
+    return failures.empty() ? std::string() : failures.front();
+  }
+
  private:
   simulation::BodyPort* port_;
   std::shared_ptr<const fem::ContactBody> kept_;
@@ -266,6 +273,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     encode_diagnostics(recomputed, names.size(), is);
     if (was != is) {
       result.difference = difference_of(recorded, recomputed, session.header.dt, names);
+      if (result.body_difference.empty()) result.body_difference = points.failure();
       return result;
     }
     std::vector<forces::Event> found;
@@ -276,6 +284,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     if (events_bytes(recorded_events) != found_bytes) {
       result.difference = ReplayDifference{recorded.tick, static_cast<double>(recorded.tick) * session.header.dt,
                                            "events", events_text(recorded_events), events_text(found)};
+      if (result.body_difference.empty()) result.body_difference = points.failure();
       return result;
     }
     is.insert(is.end(), found_bytes.begin(), found_bytes.end());

@@ -58,6 +58,9 @@ class Run {
     } else {
       at_full_speed();
     }
+    if (stream_ != nullptr) {
+      for (std::string& failure : stream_->take_failures()) result_.notes.push_back(std::move(failure));
+    }
     result_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     result_.operator_finished = loop_.finished();
     return std::move(result_);

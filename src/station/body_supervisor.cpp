@@ -44,18 +44,26 @@ void BodySupervisor::attach(HandSession& session) {
                                     port->stream_points(simulation::BodyPort::PointTiming::as_known));
 }
 
+std::vector<std::string> BodySupervisor::failures_of_points() const {
+  return stream_ == nullptr ? std::vector<std::string>() : stream_->take_failures();
+}
+
 std::vector<std::string> BodySupervisor::update() {
-  if (moving_ == nullptr) return {};
+  std::vector<std::string> news = failures_of_points();
+  if (moving_ == nullptr) return news;
   const fem::BodySnapshot& body = moving_->snapshot();
   steps_ = body.steps;
   most_probe_nodes_ = std::max(most_probe_nodes_, body.probe_nodes);
-  if (!moving_->failed() || std::exchange(failed_, true)) return {};
-  return {"the moving body failed: the probe loses its force, and the needle meets the body at rest from now on"};
+  if (moving_->failed() && !std::exchange(failed_, true)) {
+    news.emplace_back(
+        "the moving body failed: the probe loses its force, and the needle meets the body at rest from now on");
+  }
+  return news;
 }
 
 std::vector<std::string> BodySupervisor::summary(double time) const {
-  if (moving_ == nullptr) return {};
-  std::vector<std::string> sentences;
+  std::vector<std::string> sentences = failures_of_points();
+  if (moving_ == nullptr) return sentences;
   if (most_probe_nodes_ == 0) {
     sentences.emplace_back(
         "the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh is fine; "

@@ -34,10 +34,13 @@ class BodySupervisor {
   void attach(HandSession& session);
   // To be called often. Returns news for the person, one sentence each.
   std::vector<std::string> update();
-  // How a moving body fared in `time` s of the session, one sentence each; empty for a static one.
+  // At the end: what update() has not told, and how a moving body fared in `time` s of the session, one sentence
+  // each.
   std::vector<std::string> summary(double time) const;
 
  private:
+  std::vector<std::string> failures_of_points() const;
+
   std::shared_ptr<const anatomy::Case> patient_;
   std::shared_ptr<const fem::BodyDescription> body_;
   std::shared_ptr<const fem::ContactBody> whole_body_;

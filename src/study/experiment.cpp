@@ -272,6 +272,7 @@ ExperimentRun play(const io::Experiment& experiment, const Progress& progress,
     if (progress && n % (count / 16 + 1) == 0)
       progress(experiment.name, static_cast<double>(n) / static_cast<double>(count));
   }
+  if (points != nullptr) points->throw_failure();
   for (const io::PublishedValue& value : experiment.values)
     run.comparisons.push_back(compare(value, experiment, run));
   return run;

@@ -31,6 +31,7 @@ session::Session simulate_attempt(const anatomy::Case& patient, const simulation
     for (const forces::Event& event : record.output.events) session.events.push_back({record.tick, event});
     if (session::is_touched(record.output, options.ending)) break;
   }
+  if (points != nullptr) points->throw_failure();
   session.finished = true;
   return session;
 }

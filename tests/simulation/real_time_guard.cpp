@@ -1,6 +1,8 @@
 #include "tests/simulation/real_time_guard.h"
 
+#include <atomic>
 #include <cerrno>
+#include <limits>
 
 #include <dlfcn.h>
 #include <pthread.h>
@@ -17,7 +19,15 @@ namespace {
 thread_local bool armed = false;
 thread_local std::size_t heap = 0;
 thread_local std::size_t locks = 0;
+std::atomic<std::size_t> too_large{std::numeric_limits<std::size_t>::max()};  // bytes
 }  // namespace
+
+ScarceMemory::ScarceMemory(std::size_t largest) noexcept {
+  too_large.store(largest);
+}
+ScarceMemory::~ScarceMemory() {
+  too_large.store(std::numeric_limits<std::size_t>::max());
+}
 
 RealTimeGuard::RealTimeGuard() noexcept {
   heap = locks = 0;
@@ -40,6 +50,9 @@ namespace {
 #if BODKIN_HOOKS
 void count_heap() noexcept {
   heap += armed ? 1 : 0;
+}
+bool is_refused(std::size_t size) noexcept {
+  return size >= too_large.load(std::memory_order_relaxed);
 }
 void count_lock() noexcept {
   locks += armed ? 1 : 0;
@@ -66,27 +79,27 @@ void __libc_free(void* block) noexcept;
 
 void* malloc(std::size_t size) noexcept {
   bodkin::count_heap();
-  return __libc_malloc(size);
+  return bodkin::is_refused(size) ? nullptr : __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
   bodkin::count_heap();
-  return __libc_calloc(count, size);
+  return bodkin::is_refused(count * size) ? nullptr : __libc_calloc(count, size);
 }
 void* realloc(void* block, std::size_t size) noexcept {
   bodkin::count_heap();
-  return __libc_realloc(block, size);
+  return bodkin::is_refused(size) ? nullptr : __libc_realloc(block, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
   bodkin::count_heap();
-  return __libc_memalign(alignment, size);
+  return bodkin::is_refused(size) ? nullptr : __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   bodkin::count_heap();
-  return __libc_memalign(alignment, size);
+  return bodkin::is_refused(size) ? nullptr : __libc_memalign(alignment, size);
 }
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexcept {
   bodkin::count_heap();
-  *block = __libc_memalign(alignment, size);
+  *block = bodkin::is_refused(size) ? nullptr : __libc_memalign(alignment, size);
   return *block == nullptr ? ENOMEM : 0;
 }
 void free(void* block) noexcept {

@@ -19,4 +19,14 @@ class RealTimeGuard {
   static bool available() noexcept;
 };
 
+// While one lives, no block of so many bytes or more is to be had, on any thread: where memory ends can be tested.
+// RealTimeGuard::available() says whether this works.
+class ScarceMemory {
+ public:
+  explicit ScarceMemory(std::size_t largest) noexcept;
+  ~ScarceMemory();
+  ScarceMemory(const ScarceMemory&) = delete;
+  ScarceMemory& operator=(const ScarceMemory&) = delete;
+};
+
 }  // namespace bodkin

@@ -7748,6 +7748,18 @@
         <translation>der bewegte Körper ist ausgefallen: der Schallkopf verliert seine Kraft, und die Nadel trifft von nun an den ruhenden Körper</translation>
     </message>
     <message>
+        <source>contact points of the needle's line could not be computed, so that it goes on in those that are there: %1</source>
+        <translation>Kontaktpunkte der Linie der Nadel konnten nicht berechnet werden, sodass sie in den vorhandenen weitergeht: %1</translation>
+    </message>
+    <message>
+        <source>the needle's contact points could not be coupled with the nodes that the probe holds now, and stay as they were: %1</source>
+        <translation>die Kontaktpunkte der Nadel konnten nicht mit den Knoten gekoppelt werden, die der Schallkopf jetzt hält, und bleiben, wie sie waren: %1</translation>
+    </message>
+    <message>
+        <source>the memory is exhausted; close other programs, or mesh the patient more coarsely</source>
+        <translation>der Speicher ist erschöpft; schließen Sie andere Programme, oder vernetzen Sie den Patienten gröber</translation>
+    </message>
+    <message>
         <source>the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh is fine; give --body "moving thickness_mm=30", or make a finer mesh</source>
         <translation>der Schallkopf traf keinen Knoten des Netzes: er wurde nicht eingedrückt, oder seine Fläche ist kleiner, als das Netz fein ist; geben Sie --body "moving thickness_mm=30" an, oder machen Sie ein feineres Netz</translation>
     </message>

@@ -3,15 +3,26 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <new>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.h"
 
 namespace bodkin::fem {
 
 namespace {
 
 constexpr double least_ahead = 10.0;  // mm, that a needle which has turned may always go on
+constexpr std::string_view no_points =
+    "contact points of the needle's line could not be computed, so that it goes on in those that are there";
+constexpr std::string_view no_coupling =
+    "the needle's contact points could not be coupled with the nodes that the probe holds now, and stay as they were";
+constexpr std::string_view no_memory =
+    "the memory is exhausted; close other programs, or mesh the patient more coarsely";
 
 void append_known(const anatomy::CondensedBody& body, const std::function<bool(const ContactPoint&)>& next) {
   std::vector<Mat3> between;
@@ -45,19 +56,56 @@ void ContactStream::serve() {
       couple(*line);
       continue;
     }
-    try {
-      compute(*line);
-    } catch (const std::exception&) {
-      // No memory for a patch of the mesh: the needle goes on in the points that there are.
-    }
+    attempt(no_points, [&] { compute(*line); });
     line_->complete(*line);
   }
+}
+
+// False when it failed: the tick's thread hears nothing of it, and the person what `failed` says, and why.
+template <typename Work>
+bool ContactStream::attempt(std::string_view failed, const Work& work) noexcept {
+  try {
+    work();
+    return true;
+  } catch (const std::bad_alloc&) {
+    add_failure(failed, no_memory);
+  } catch (const std::exception& error) {
+    add_failure(failed, error.what());
+  }
+  return false;
+}
+
+void ContactStream::add_failure(std::string_view sentence, std::string_view why) noexcept {
+  try {
+    std::string text = fmt::format("{}: {}", sentence, why);
+    const std::scoped_lock guard(lock_);
+    if (std::find(told_.begin(), told_.end(), text) != told_.end()) return;
+    told_.push_back(text);
+    failures_.push_back(std::move(text));
+  } catch (const std::bad_alloc&) {
+    const std::scoped_lock guard(lock_);
+    failed_without_words_ = told_.empty();
+  }
+}
+
+std::vector<std::string> ContactStream::take_failures() {
+  const std::scoped_lock guard(lock_);
+  if (std::exchange(failed_without_words_, false)) {
+    told_.push_back(fmt::format("{}: {}", no_points, no_memory));
+    failures_.push_back(told_.back());
+  }
+  return std::exchange(failures_, {});
+}
+
+void ContactStream::throw_failure() {
+  if (const std::vector<std::string> failures = take_failures(); !failures.empty())
+    throw SystemError(failures.front());
 }
 
 // The points that there are, with other nodes held.
 void ContactStream::couple(const ContactLine::Line& line) {
   bool done = points_ && points_->size() >= line.kept;
-  try {
+  const bool succeeded = attempt(no_coupling, [&] {
     if (done) {
       const std::span<const std::uint32_t> held(line.held.data(), line.held_count);
       *bound_ = body_->bind(settings_.left, held);
@@ -66,10 +114,8 @@ void ContactStream::couple(const ContactLine::Line& line) {
       points_->bind_again();
     }
     for (std::size_t i = 0; done && i < line.kept; ++i) done = line_->put(line, i, points_->point(i));
-  } catch (const std::exception&) {
-    done = false;  // no memory: the needle stays coupled as it was
-  }
-  line_->end_coupling(line, done);
+  });
+  line_->end_coupling(line, done && succeeded);
 }
 
 // Leaves the points that the needle has reached, and finds those ahead.

@@ -13,9 +13,12 @@
 
 #include "tests/fem/lattice_body.h"
 #include "tests/sanitized.h"
+#include "tests/simulation/real_time_guard.h"
 #include <Eigen/Eigenvalues>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/error.h"
 #include "core/random.h"
 #include "fem/embedded_needle.h"
 #include "fem/solid/line_points.h"
@@ -25,6 +28,12 @@ namespace bodkin {
 using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 constexpr double box_side = 60.0;  // mm; the skin is at z = 60, the bottom is held
 
@@ -207,6 +216,52 @@ TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
   EXPECT_GT(
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(compliance, Eigen::EigenvaluesOnly).eigenvalues().minCoeff(),
       0.0);
+}
+
+// A needle that was left has no length: nothing can be bound to it.
+TEST(ContactStream, says_why_there_are_no_points_and_says_it_once) {
+  const auto line = std::make_shared<ContactLine>();
+  ContactStream stream(box_of(5), patient_in_box(), {.length = 40.0, .left = {{entry_in_box, entry_in_box}}}, line);
+  line->ask(entry_in_box, -Vec3::UnitZ());
+  EXPECT_EQ(line->wait_for(1).points, 0U);
+  EXPECT_TRUE(line->progress().complete) << "the needle does not wait for them";
+  EXPECT_THAT(stream.take_failures(),
+              ElementsAre(AllOf(StartsWith("contact points of the needle's line could not be computed"),
+                                HasSubstr("is 0 mm long"), Not(HasSubstr("memory")))));
+  line->ask(entry_in_box + Vec3::UnitX(), -Vec3::UnitZ());
+  line->wait_for(1);
+  EXPECT_TRUE(stream.take_failures().empty());
+  EXPECT_NO_THROW(stream.throw_failure());
+}
+
+TEST(ContactStream, says_that_memory_ended_and_goes_on_when_there_is_some_again) {
+  if (!RealTimeGuard::available()) GTEST_SKIP() << "the sanitizer has the memory";
+  const auto line = std::make_shared<ContactLine>(0.0, 8);
+  ContactStream stream(box_of(9), patient_in_box(), {.length = 40.0}, line);
+  {
+    const ScarceMemory little(2048);
+    line->ask(entry_in_box, -Vec3::UnitZ());
+    line->wait_for(ContactLine::most_points);
+  }
+  EXPECT_TRUE(line->progress().complete);
+  EXPECT_THAT(stream.take_failures(), ElementsAre(AllOf(StartsWith("contact points of the needle's line could not"),
+                                                        HasSubstr(": the memory is exhausted"))));
+  line->ask(entry_in_box, -Vec3::UnitZ());
+  const std::size_t points = line->wait_for(ContactLine::most_points).points;
+  EXPECT_GT(points, 15U);
+  EXPECT_TRUE(stream.take_failures().empty());
+  const std::vector<std::uint32_t> held = {700, 701};
+  {
+    const ScarceMemory little(2048);
+    line->couple(held, points);
+    EXPECT_FALSE(line->wait_until_coupled());
+  }
+  try {
+    stream.throw_failure();
+    FAIL() << "nothing was said";
+  } catch (const SystemError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("could not be coupled with"), HasSubstr("the memory is exhausted")));
+  }
 }
 
 TEST(ContactStream, waiting_ends_when_the_stream_does) {
