@@ -1,16 +1,22 @@
 // Embeds the haptic engine without files, imaging libraries or the bodkin command: a slab of muscle behind skin, a
 // needle pushed 30 mm in, and the force that the hand would feel. Then the same with a force model of this program's
 // own, which it registers by name and which the case chooses by that name. Then in a deformable body, which it makes
-// from a mesh.
+// from a mesh and whose factor it keeps in a file: on the planned line, and on another one whose points are computed
+// while the needle comes. At last the same body moves by itself for one step.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "fem/solid/contact_body.h"
+#include "fem/moving/corotational_body.h"
+#include "fem/solid/contact_stream.h"
+#include "fem/solid/factor_cache.h"
 #include "simulation/haptic_tick.h"
 #include "simulation/resistance_models.h"
 
@@ -74,6 +80,25 @@ bodkin::fem::BodyDescription block_of_skin() {
   return body;
 }
 
+// N, the largest resistance on a straight way 30 mm in along z.
+double largest_resistance(bodkin::simulation::HapticTick& tick, const bodkin::Vec3& entry) {
+  double largest = 0.0;
+  for (int step = 0; step < 4000; ++step) {
+    const bodkin::Vec3 tip = entry + (-10.0 + 0.01 * step) * bodkin::Vec3::UnitZ();
+    largest = std::max(largest, tick.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())}).resistance);
+  }
+  return largest;
+}
+
+// mm, how far one step at 60 steps a second moves the middle of the surface under 1 N.
+double first_step(const bodkin::fem::BodyDescription& body) {
+  bodkin::fem::CorotationalBody moving(body, {});
+  constexpr std::uint32_t middle = 4 * 9 + 4;
+  moving.load(middle, bodkin::Vec3::UnitZ());
+  if (moving.step().fault) return 0.0;
+  return moving.position(middle).z() - moving.at_rest(middle).z();
+}
+
 }  // namespace
 
 int main() {
@@ -95,12 +120,7 @@ int main() {
   patient.tissues = bodkin::anatomy::TissueVolume(grid, bodkin::anatomy::tissue::skin);
 
   bodkin::simulation::HapticTick tick(patient);
-  double peak = 0.0;
-  for (int step = 0; step < 4000; ++step) {
-    const bodkin::Vec3 tip(0.0, 0.0, -10.0 + 0.01 * step);
-    const bodkin::simulation::TickOutput output = tick.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())});
-    if (output.resistance > peak) peak = output.resistance;
-  }
+  const double peak = largest_resistance(tick, bodkin::Vec3::Zero());
   std::printf("peak resistance %.3f N\n", peak);
 
   bodkin::simulation::register_resistance<ConstantDrag>();
@@ -116,19 +136,40 @@ int main() {
 
   const bodkin::anatomy::NeedlePath path{bodkin::Vec3::Zero(), bodkin::Vec3(0.0, 0.0, 30.0)};
   const bodkin::anatomy::EmbeddedNeedleSettings embedded;
-  const bodkin::fem::ContactBody block(std::make_shared<const bodkin::fem::BodyDescription>(block_of_skin()));
+  const auto body = std::make_shared<const bodkin::fem::BodyDescription>(block_of_skin());
+  const std::filesystem::path file = "block.factor";
+  std::filesystem::remove(file);
+  int notes = 0;  // of a file that could not be used
+  const auto count_note = [&notes](const std::string&) { ++notes; };
+  const auto made = bodkin::fem::contact_body_with_cache(file, body, {}, count_note);
+  const bool kept = std::filesystem::exists(file);
+  const auto block = bodkin::fem::contact_body_with_cache(file, body, {}, count_note);
   const auto stations = bodkin::fem::stations_along(path, path.length(), embedded.point_spacing, patient);
-  patient.corridor.body = std::make_shared<const bodkin::anatomy::CondensedBody>(
-      block.contact_points(stations, path.direction(), embedded.tip_radius));
-  patient.corridor.path = path;
+  patient.prepared.body = std::make_shared<const bodkin::anatomy::CondensedBody>(
+      block->contact_points(stations, path.direction(), embedded.tip_radius));
+  const bool same = made->contact_points(stations, path.direction(), embedded.tip_radius).compliance ==
+                    patient.prepared.body->compliance;
+  std::printf("factor kept %d, read back to the bit %d, notes %d\n", kept ? 1 : 0, same ? 1 : 0, notes);
+  patient.prepared.path = path;
   patient.description.haptics.resistance = embedded;
   bodkin::simulation::HapticTick deformable(patient);
-  double held = 0.0;
-  for (int step = 0; step < 4000; ++step) {
-    const bodkin::Vec3 tip(0.0, 0.0, -10.0 + 0.01 * step);
-    const double now = deformable.step({bodkin::needle_pose(tip, bodkin::Vec3::UnitZ())}).resistance;
-    if (now > held) held = now;
-  }
+  const double held = largest_resistance(deformable, bodkin::Vec3::Zero());
   std::printf("deformable body %.3f N\n", held);
-  return peak > 0.9 && peak < 2.0 && dragged == 0.7 && held > 0.1 ? 0 : 1;
+
+  bodkin::simulation::HapticTick elsewhere(patient);
+  const auto line = elsewhere.body()->stream_points(bodkin::simulation::BodyPort::PointTiming::in_time);
+  const auto shared = std::make_shared<const bodkin::anatomy::Case>(patient);
+  bodkin::fem::ContactStream stream(block, shared, {.length = path.length()}, line);
+  const double beside = largest_resistance(elsewhere, {7.0, -4.0, 0.0});
+  for (const std::string& failure : stream.take_failures()) std::printf("%s\n", failure.c_str());
+  const std::size_t points = line->progress().points;
+  std::printf("on a line that was not planned %.3f N at %zu points\n", beside, points);
+
+  const double moved = first_step(*body);
+  std::printf("a body that moves by itself went %.6f mm\n", moved);
+
+  const bool rigid = peak > 0.9 && peak < 2.0 && dragged == 0.7;
+  const bool cached = kept && same && notes == 0;
+  const bool anywhere = held > 0.1 && beside > 0.1 && beside != held && points > 10;
+  return rigid && cached && anywhere && moved > 0.0 && moved < 5.0 ? 0 : 1;
 }
