@@ -60,7 +60,7 @@ void enter_patient(benchmark::State& state, const std::filesystem::path& folder)
   patient.description.haptics.resistance = settings;
   std::shared_ptr<const ContactBody> body;
   patient::prepare_body(patient, folder, std::nullopt, {}, {}, &body);
-  const double length = patient.description.procedure.path->length() + settings.body.corridor_beyond;
+  const double length = patient.description.procedure.path->length() + settings.points_beyond;
   const BoundPoints unbound;
   Random random(1);
   std::vector<double> firsts, lines;

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "patient/meshing/mesh_plan.h"
 #include "patient/meshing/mesh_record.h"
 #include <fmt/format.h>
 
@@ -57,6 +58,11 @@ std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::Tetrahedral
   if (const anatomy::EmbeddedNeedleSettings* points = with_points(patient)) {
     const std::filesystem::path cache = folder.empty() ? folder : folder / factor_file_name;
     const auto whole = contact_body(body, cache, progress, note);
+    if (note && has_stiff_skin(patient.library)) {
+      note(
+          "the skin is stiffer than fat: 'bodkin case mesh' keeps it within 12 mm of the planned path; a needle that "
+          "enters farther away dimples what lies below it");
+    }
     patient.prepared = {std::make_shared<const anatomy::CondensedBody>(points_of(*whole, patient, about, *points)),
                         about};
     if (kept != nullptr) *kept = whole;

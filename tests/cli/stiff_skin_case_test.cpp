@@ -65,6 +65,10 @@ TEST_F(StiffSkinCase, has_its_skin_in_the_mesh_about_the_path_and_bends_it) {
   EXPECT_GT(farthest, 10.0);
   EXPECT_LT(farthest, 25.0);
   EXPECT_GT(QuadraticEdges(body->mesh, chosen, fixed).size(), 1000U);
+
+  const Outcome profile = bodkin("profile patient --resistance embedded_needle");
+  EXPECT_EQ(profile.exit_code, 0) << profile.errors;
+  EXPECT_NE(profile.errors.find("note: the skin is stiffer than fat"), std::string::npos) << profile.errors;
 }
 
 }  // namespace

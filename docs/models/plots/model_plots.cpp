@@ -247,7 +247,7 @@ Plot flexible_needle() {
   ContactTissues tissues;
   tissues.fill({.friction = 0.02});
   EmbeddedNeedleSettings settings;
-  settings.capture_radius = settings.spacing = 0.45;
+  settings.capture_radius = 0.45;
   std::vector<PlotSeries> series;
   struct Way {
     const char* name;

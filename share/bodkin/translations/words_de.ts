@@ -7272,6 +7272,10 @@
         <translation>die Nadel trifft Punkte ihrer Linie in einem Körper von %1 Knoten, dessen Faktor %2 GB braucht</translation>
     </message>
     <message>
+        <source>the skin is stiffer than fat: 'bodkin case mesh' keeps it within 12 mm of the planned path; a needle that enters farther away dimples what lies below it</source>
+        <translation>die Haut ist steifer als Fett: 'bodkin case mesh' behält sie bis 12 mm vom geplanten Weg; eine Nadel, die weiter weg eintritt, drückt das ein, was darunter liegt</translation>
+    </message>
+    <message>
         <source>planning the mesh</source>
         <translation>das Netz wird geplant</translation>
     </message>
