@@ -20,10 +20,11 @@ Pose exponential(const Vec3& w, const Vec3& v) {
     return pose;
   }
   const Vec3 axis = w / angle;
-  pose.linear() = rotation_about(axis, angle);
-  pose.translation() = v * (repeatable::sin(angle) / angle) +
-                       axis.cross(v) * ((1.0 - repeatable::cos(angle)) / angle) +
-                       axis * (axis.dot(v) * (1.0 - repeatable::sin(angle) / angle));
+  const double s = repeatable::sin(0.5 * angle), c = repeatable::cos(0.5 * angle);
+  const double sine = 2.0 * s * c, one_less_cosine = 2.0 * s * s;
+  pose.linear() = Eigen::Quaterniond(c, s * axis.x(), s * axis.y(), s * axis.z()).toRotationMatrix();
+  pose.translation() =
+      v * (sine / angle) + axis.cross(v) * (one_less_cosine / angle) + axis * (axis.dot(v) * (1.0 - sine / angle));
   return pose;
 }
 

@@ -14,7 +14,9 @@ NeedleGrasp::NeedleGrasp(const anatomy::NeedleGraspSettings& settings) : setting
 }
 
 double NeedleGrasp::factor() const noexcept {
-  const auto wound = [this](double turns) { return -repeatable::expm1(-turns / settings_.turns_to_wind); };
+  const auto wound = [this](double turns) {
+    return turns > 0.0 ? -repeatable::expm1(-turns / settings_.turns_to_wind) : 0.0;
+  };
   const double net = std::abs(net_), back = std::max(0.0, total_ - net);
   return settings_.point * (1.0 + std::max(settings_.one_way * wound(net), settings_.two_way * wound(back)));
 }

@@ -12,6 +12,7 @@ Pivot::Pivot(const anatomy::PivotSettings& settings, double length) : settings_(
   constexpr auto model = "pivot";
   check(settings, model);
   check_range(model, "needle length", length, {10.0, 500.0}, "mm");
+  largest_chord_ = 2.0 * repeatable::sin(0.5 * settings_.largest_angle);
 }
 
 void Pivot::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -25,7 +26,7 @@ Vec3 Pivot::turning_back(const Vec3& axis, double inside) const noexcept {
   const Vec3 across = turned - turned.dot(axis) * axis;
   const double size = across.norm();
   if (size <= 1e-12) return Vec3::Zero();
-  const double chord = std::min(turned.norm(), 2.0 * repeatable::sin(0.5 * settings_.largest_angle));
+  const double chord = std::min(turned.norm(), largest_chord_);
   const double correction = settings_.gain * settings_.stiffness * length_ * chord;  // |F_c|
   const double outside = std::max(length_ - inside, settings_.shortest_outside);     // l2
   return across * (-correction * inside / outside / size);

@@ -42,6 +42,7 @@ class Pivot {
 
   anatomy::PivotSettings settings_;
   double length_;
+  double largest_chord_ = 0.0;  // of the largest angle, by the needle's length
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
