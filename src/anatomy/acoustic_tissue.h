@@ -5,7 +5,7 @@
 
 namespace bodkin::anatomy {
 
-// What a tissue is to sound (docs/ultrasound.md).
+// The acoustic properties of a tissue (docs/ultrasound.md).
 struct AcousticTissue {
   double impedance = 0.0;
   double attenuation = 0.5;

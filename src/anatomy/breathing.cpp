@@ -9,7 +9,7 @@ namespace bodkin::anatomy {
 namespace {
 
 constexpr double seconds_in_minute = 60.0;
-constexpr int newton_steps = 6;  // from an error below 1, each squares it
+constexpr int newton_steps = 6;  // from an error below 1; each step squares it
 
 std::uint64_t ticks_of(double time, double dt) noexcept {
   return static_cast<std::uint64_t>(std::max(1.0, std::round(time / dt)));
@@ -31,7 +31,7 @@ BreathClock::BreathClock(const Breathing& breathing, double dt) noexcept
       longest_hold_(ticks_of(breathing.longest_hold, dt)),
       pause_(breathing.pause) {}
 
-void BreathClock::set(const BreathMoment& moment) noexcept {
+void BreathClock::set(const BreathState& moment) noexcept {
   now_ = moment;
   now_.phase %= period_;
   holds_ = false;
@@ -62,8 +62,8 @@ double BreathField::weight(const Vec3& material) const noexcept {
   return inside > 0.0 ? inside * inside : 0.0;
 }
 
-// The material point is place - a m with one unknown a = b w, 0 to 1: a - b w(place - a m) rises with a, for the
-// motion is short beside the radius (Breathing).
+// The material point is place - a m with one unknown a = b w, 0 to 1: a - b w(place - a m) increases with a, because
+// the motion is short compared to the radius (Breathing).
 Vec3 BreathField::material(const Vec3& place, double drawn_in) const noexcept {
   double share = drawn_in * weight(place);
   for (int step = 0; step < newton_steps; ++step) {

@@ -11,13 +11,13 @@
 
 namespace bodkin::anatomy {
 
-// How a patient breathes, and how tissue moves with it.
+// Breathing of a patient, and the motion of the tissue with it.
 //
-// A point that lies at X when the patient has breathed out lies at
-//   x = X + b m w(X),   w = (1 - |x - c|^2 / R^2)^2 within the distance R of the centre c, 0 beyond,
-// where b is how far breath is drawn in, 0 to 1, and m the motion of the centre. With the period T
+// A point that lies at X after expiration lies at
+//   x = X + b m w(X),   w = (1 - |x - c|^2 / R^2)^2 within the distance R of the centre c, 0 outside,
+// where b is the depth of inspiration, 0 to 1, and m the motion of the centre. With the period T
 //   b = sin^2n(pi t / T):
-// the longer pauses breathed out the greater n (Lujan et al. 1999, eq. 1, whose cosine begins breathed in).
+// the greater n, the longer the pause after expiration (Lujan et al. 1999, eq. 1, there begun after inspiration).
 struct Breathing {
   double rate = 14.0;
   Vec3 motion = Vec3(0.0, -3.0, -10.0);
@@ -49,7 +49,7 @@ struct Breathing {
         Parameter{"longest_hold_s", &S::longest_hold, Range{1.0, 120.0}, "s",
                   "that the patient holds the breath when asked to", Origin::choice}};
   }
-  // Beyond it tissue would fold: |grad w| is 1.54 / R at most.
+  // A larger motion would fold the tissue: |grad w| is at most 1.54 / R.
   static constexpr auto relations() {
     return std::tuple{Relation<Breathing>{
         [](const Breathing& it) { return it.motion.norm() <= it.radius / 3.0; },
@@ -58,48 +58,48 @@ struct Breathing {
   }
 };
 
-// Between two ticks of a patient who breathes.
-struct BreathMoment {
-  std::uint64_t phase = 0, held = 0;  // ticks since the breath began, and of holding it
+// The state of a breathing patient between two ticks.
+struct BreathState {
+  std::uint64_t phase = 0, held = 0;  // ticks since the breath began; ticks for which it has been held
 };
 
-// When a patient breathes: advanced once a tick, so that a recording gives the same breaths again. Starts breathed
-// out.
+// The breathing of a patient over time: advanced once a tick, so that a recording reproduces the same breaths. Starts
+// after expiration.
 class BreathClock {
  public:
   // `dt`: s.
   BreathClock(const Breathing& breathing, double dt) noexcept;
 
-  // The next tick; `hold`: somebody asks the patient to hold the breath. A patient who is asked breathes out first
-  // and holds for `longest_hold`, then takes one breath and holds again. Returns how far breath is drawn in, 0 to 1.
+  // Advances by one tick. `hold`: the patient is asked to hold the breath: breathes out first, holds for
+  // `longest_hold`, then takes one breath and holds again. Returns the depth of inspiration, 0 to 1.
   double step(bool hold) noexcept;
   double drawn_in() const noexcept { return drawn_in_; }
-  // The breath is held now.
+  // Whether the breath is held now.
   bool holds() const noexcept { return holds_; }
   void reset() noexcept { set({}); }
-  const BreathMoment& moment() const noexcept { return now_; }
-  // Goes on from a moment of a clock of the same patient.
-  void set(const BreathMoment& moment) noexcept;
+  const BreathState& moment() const noexcept { return now_; }
+  // Continues from a state of a clock of the same patient.
+  void set(const BreathState& moment) noexcept;
 
  private:
   double drawn_in_at(std::uint64_t phase) const noexcept;
 
   std::uint64_t period_, longest_hold_;  // ticks
   int pause_;
-  BreathMoment now_;
+  BreathState now_;
   bool holds_ = false;
   double drawn_in_ = 0.0;
 };
 
-// The displacement of tissue.
+// The displacement of tissue by breathing.
 class BreathField {
  public:
   explicit BreathField(const Breathing& breathing) noexcept
       : motion_(breathing.motion), centre_(breathing.centre), radius_squared_(breathing.radius * breathing.radius) {}
 
-  // mm, of what lies at `material` when breathed out; `drawn_in`: 0 to 1.
+  // mm, displacement of the point that lies at `material` after expiration; `drawn_in`: 0 to 1.
   Vec3 moved(const Vec3& material, double drawn_in) const noexcept { return drawn_in * weight(material) * motion_; }
-  // Where what now is at `place` lies when breathed out; exact to 1e-9 mm.
+  // Position after expiration of the point that now lies at `place`; exact to 1e-9 mm.
   Vec3 material(const Vec3& place, double drawn_in) const noexcept;
   // w, 0 to 1.
   double weight(const Vec3& material) const noexcept;

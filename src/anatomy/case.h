@@ -16,7 +16,7 @@
 
 namespace bodkin::anatomy {
 
-// One label of a segmentation: what it is called and what it is made of.
+// One label of a segmentation: its name and its tissue.
 struct Structure {
   std::uint16_t label = 0;  // value in the structure volume; > 0
   std::string name;         // "vertebrae_L3"
@@ -30,7 +30,7 @@ struct Landmark {
   Vec3 position = Vec3::Zero();
 };
 
-// What the device can do; the governor and the stiffness limits are set from it.
+// The limits of the device; the governor and the stiffness limits are set from them.
 struct DeviceLimits {
   std::string profile = "generic";
   double peak_force = 6.0;
@@ -64,20 +64,20 @@ struct DeviceLimits {
   }
 };
 
-// Where the force models have the numbers of their tissues from (docs/needle-forces.md).
+// Which numbers the force models use for their tissues (docs/needle-forces.md).
 enum class Mechanics : std::uint8_t {
-  tables,   // each model its own of the tissue library, whatever the needle; as Bodkin 0.1 had it
-  physical  // all from the one physical description of the tissue, for the case's needle; the tip's tissue is that of
-            // the deformed material, and a thin needle buckles
+  tables,   // each model its own numbers of the tissue library, whatever the needle, as in Bodkin 0.1
+  physical  // all models the one physical description of the tissue, for the case's needle; the tip's tissue is that
+            // of the deformed material, and a thin needle buckles
 };
 constexpr std::array<std::string_view, 2> enumeration_names(Mechanics) {
   return {"tables", "physical"};
 }
 
-// What the hand feels while the tip is in an organ that it must not be in.
+// The force on the hand while the tip is in a forbidden organ.
 enum class ForceInOrgans : std::uint8_t {
-  felt,  // what the models say
-  none   // nothing, as in the simulator of Kwon et al. 2001: the force fades away, and comes back behind the organ
+  felt,  // the force of the models
+  none   // nothing, as in the simulator of Kwon et al. 2001: the force fades out, and returns behind the organ
 };
 constexpr std::array<std::string_view, 2> enumeration_names(ForceInOrgans) {
   return {"felt", "none"};
@@ -92,7 +92,7 @@ struct HapticSettings {
   ForceParts parts;
   GravitySettings compensation;
 
-  // Without what is written as an element of its own.
+  // Without the members that files write as elements of their own.
   static constexpr auto parameters() {
     using S = HapticSettings;
     return std::tuple{
@@ -113,7 +113,7 @@ struct Procedure {
   double target_tolerance = 3.0;   // mm; > 0
 };
 
-// What case.xml says; everything but the voxels.
+// The content of case.xml: everything but the voxels.
 struct CaseDescription {
   std::string name;
   std::string description;
@@ -128,8 +128,8 @@ struct CaseDescription {
   HapticSettings haptics;
   std::vector<Landmark> landmarks;
   Procedure procedure;
-  std::optional<Breathing> breathing;  // nothing: the patient does not breathe
-  std::vector<std::string> notes;      // what was repaired or assumed when the case was made
+  std::optional<Breathing> breathing;  // empty: the patient does not breathe
+  std::vector<std::string> notes;      // repairs and assumptions made when the case was created
 };
 
 // A patient in memory, ready for the needle.
@@ -139,10 +139,10 @@ struct Case {
   CtVolume ct;
   LabelVolume structures;  // empty when there is no segmentation
   TissueVolume tissues;    // its lattice may be finer than the CT's
-  // The deformable body, prepared by prepare_body() for the resistances that need one; without a body otherwise.
+  // The deformable body, prepared by prepare_body(); empty for resistances that need none.
   PreparedBody prepared;
-  // Needles that were left in the body before, from their entry to their tip at rest: prepare_body() couples them
-  // with the needle in the hand, for the resistance that meets contact points.
+  // Needles left in the body earlier, from their entry to their tip at rest: prepare_body() couples them with the
+  // needle in the hand, for the resistance with contact points.
   std::vector<NeedlePath> left_needles;
 };
 

@@ -10,7 +10,7 @@
 
 namespace bodkin::anatomy {
 
-// How a case's mesh becomes a deformable body: how stiff it is, and what holds it.
+// How a case's mesh becomes a deformable body: its stiffness and its fixed nodes.
 struct DeformableBodySettings {
   double stiffness_scale = 10.0;
   bool fix_bone = true;
@@ -29,7 +29,7 @@ struct DeformableBodySettings {
   }
 };
 
-// Which nodes of a deformable body the needle can meet: its corridor.
+// Which nodes of a deformable body the needle can meet: the corridor.
 struct CorridorSettings {
   double radius = 25.0;
   double beyond = 15.0;
@@ -46,16 +46,16 @@ struct CorridorSettings {
   }
 };
 
-// How the hand has hold of a needle's hub.
+// How the hand holds a needle's hub.
 enum class NeedleHold : std::uint8_t {
-  clamped,  // place and angle are the hand's
-  pinned    // its place alone: the hub turns freely, as in a gimbal without motors
+  clamped,  // the hand determines position and orientation
+  pinned    // position only: the hub turns freely, as in a gimbal without motors
 };
 constexpr std::array<std::string_view, 2> enumeration_names(NeedleHold) {
   return {"clamped", "pinned"};
 }
 
-// Whether the needle of a case bends in a deformable body, and how (NeedleBeam).
+// Whether and how the needle of a case bends in a deformable body (NeedleBeam).
 struct NeedleBendingSettings {
   bool flexible = false;
   double modulus = 193000.0;
@@ -79,12 +79,13 @@ struct NeedleBendingSettings {
 
 // Settings of EmbeddedNeedle.
 struct EmbeddedNeedleSettings {
+  static constexpr std::string_view element = "embedded_needle";
   double tip_radius = 1.0;
   double point_spacing = 1.0;
   double points_beyond = 15.0;
   double capture_radius = 1.5;
   double puncture_time = 0.030;
-  std::size_t most_nodes = 150;  // along the shaft; 1 to 160; no setting of a case
+  std::size_t most_nodes = 150;  // along the shaft; 1 to 160; not a setting of a case
   DeformableBodySettings body;
   NeedleBendingSettings bending;
 
@@ -104,7 +105,7 @@ struct EmbeddedNeedleSettings {
         Inlined{&S::bending},
         Inlined{&S::body}};
   }
-  // Of versions in which the shaft met nodes of the mesh.
+  // Names from versions in which the shaft met nodes of the mesh.
   static constexpr std::array<EarlierName, 5> earlier_names() {
     return {{{"corridor_beyond_mm", "points_beyond_mm"},
              {"contact"},
@@ -116,6 +117,7 @@ struct EmbeddedNeedleSettings {
 
 // Settings of ClosestNodeContact.
 struct ClosestNodeSettings {
+  static constexpr std::string_view element = "closest_node";
   double capture_radius = 2.0;
   double presliding = 1.0;
   double relaxation = 0.030;

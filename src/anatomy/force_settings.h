@@ -1,53 +1,25 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "anatomy/part_settings.h"
-#include "anatomy/registered_settings.h"
 #include "anatomy/resistance_settings.h"
 #include "core/geometry.h"
 
 namespace bodkin::anatomy {
 
-// What a case chooses of the force models: one resistance, one constraint, parts that add to them, compensation. What
-// depends on the tissue stands in the tissue library. Tables: core/parameter.h.
-
-// --- resistances -------------------------------------------------------------------------------------------------
-
-using ResistanceSettings =
-    std::variant<LayeredSettings, SpringDamperWallSettings, TrackingWallSettings, DepthProfileSettings,
-                 VolumeProxySettings, ThreeComponentSettings, FractureSettings, ShaftFrictionSettings,
-                 EmbeddedNeedleSettings, ClosestNodeSettings, SurfaceProxySettings, RegisteredSettings>;
-// Names as case files write them, in the order of the variant.
-inline constexpr std::array<std::string_view, std::variant_size_v<ResistanceSettings>> resistance_names = {
-    "layered",  "spring_damper_wall", "tracking_wall",   "depth_profile", "volume_proxy",  "three_component",
-    "fracture", "shaft_friction",     "embedded_needle", "closest_node",  "surface_proxy", "registered"};
-inline std::string_view name_of(const ResistanceSettings& settings) {
-  return resistance_names[settings.index()];
-}
-
-// The name of the model: that of name_of(), or the one under which the program registered it.
-inline std::string_view model_name(const ResistanceSettings& settings) {
-  const auto* registered = std::get_if<RegisteredSettings>(&settings);
-  return registered == nullptr ? name_of(settings) : std::string_view(registered->name);
-}
-
-// What the deformable body of a resistance is made with; nullptr when the resistance needs none.
-inline const DeformableBodySettings* body_of(const ResistanceSettings& settings) {
-  if (const auto* embedded = std::get_if<EmbeddedNeedleSettings>(&settings)) return &embedded->body;
-  if (const auto* closest = std::get_if<ClosestNodeSettings>(&settings)) return &closest->body;
-  return nullptr;
-}
+// A case's choice of force models: one resistance, one constraint, parts that add to them, compensation. Properties
+// of tissues are in the tissue library. Tables: core/parameter.h.
 
 // --- constraints -------------------------------------------------------------------------------------------------
 
 // Settings of the `line_spring` constraint (Heng 2004 eq. 9).
 struct LineSpringSettings {
+  static constexpr std::string_view element = "line_spring";
   double stiffness = 0.5;
   double damping = 0.0;
   double limit = 3.0;
@@ -63,6 +35,7 @@ struct LineSpringSettings {
 
 // Settings of Pivot.
 struct PivotSettings {
+  static constexpr std::string_view element = "pivot";
   double stiffness = 0.2;
   double gain = 1.0;
   double limit = 2.0;
@@ -84,6 +57,7 @@ struct PivotSettings {
 
 // Settings of Rail.
 struct RailSettings {
+  static constexpr std::string_view element = "rail";
   double stiffness = 0.5;
   double limit = 3.0;
   double torsion = 1000.0;
@@ -107,6 +81,7 @@ struct RailSettings {
 
 // Settings of Beam.
 struct BeamSettings {
+  static constexpr std::string_view element = "beam";
   double modulus = 193000.0;
   bool stylet = false;
   double largest_stiffness = 1.0;
@@ -130,16 +105,14 @@ struct BeamSettings {
 
 // The needle is free to leave its line.
 struct NoConstraint {
+  static constexpr std::string_view element = "none";
   static constexpr auto parameters() { return std::tuple{}; }
 };
 
+// All constraints; to add one, its settings above and its name here. The model with these settings says so in its
+// source (forces/constraint_model.h).
 using ConstraintSettings = std::variant<LineSpringSettings, PivotSettings, RailSettings, BeamSettings, NoConstraint>;
-// Names as case files write them, in the order of the variant.
-inline constexpr std::array<std::string_view, std::variant_size_v<ConstraintSettings>> constraint_names = {
-    "line_spring", "pivot", "rail", "beam", "none"};
-inline std::string_view name_of(const ConstraintSettings& settings) {
-  return constraint_names[settings.index()];
-}
+inline constexpr auto constraint_names = element_names(std::type_identity<ConstraintSettings>());
 
 // --- parts -------------------------------------------------------------------------------------------------------
 
@@ -182,13 +155,13 @@ struct NeedleGraspSettings {
   }
 };
 
-// What is added to the resistance.
+// The parts added to the resistance.
 struct ForceParts {
   // For `embedded_needle`, `spring_damper_wall` and `tracking_wall` without leash.
   std::vector<PronyTerm> relaxation;
-  // For resistances without a friction of the shaft of their own (ResistanceTraits::has_shaft_friction).
+  // For resistances without shaft friction of their own (ResistanceTraits::has_shaft_friction).
   std::optional<ShaftFrictionSettings> shaft_friction;
-  // Multiplies the shaft's friction with what turning the needle has wound up; for `layered`, `shaft_friction` and
+  // Multiplies the shaft friction by the effect of turning the needle; for `layered`, `shaft_friction` and
   // resistances with that part.
   std::optional<NeedleGraspSettings> needle_grasp;
   // For every resistance.
@@ -220,7 +193,7 @@ struct ForceParts {
 
 // --- compensation ------------------------------------------------------------------------------------------------
 
-// Settings of GravityCompensation; a device profile's values, found by fit_gravity or by hand.
+// Settings of GravityCompensation; a device profile's values, from fit_gravity or entered by hand.
 struct GravitySettings {
   Vec3 up = Vec3::UnitZ();  // in the frame in which forces are commanded; files state it with any length
   double weight = 0.0;

@@ -6,12 +6,12 @@ namespace bodkin::anatomy {
 namespace {
 
 struct Step {
-  int gauge;                // of the thinnest needle that it is for
+  int gauge;                // of the thinnest needle that it supports
   double peak, continuous;  // N
   double stiffness;         // N/mm
 };
 
-// The thickest first. Thinner needles have the device that nothing is said of.
+// Thickest first. Thinner needles have the unnamed default device.
 constexpr std::array<Step, 2> for_thick_needles = {{{17, 20.0, 7.0, 2.0}, {19, 12.0, 4.0, 2.0}}};
 
 }  // namespace

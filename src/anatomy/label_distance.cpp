@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel_for.h"
+
 namespace bodkin::anatomy {
 namespace {
 
@@ -47,22 +49,34 @@ class Envelope {
   std::size_t count_ = 0, at_ = 0;
 };
 
-// Replaces `values` along one axis by min over q of (values[q] + |p - q|^2), within runs of one label. Where
+// Whether each label is computed.
+using Wanted = std::array<bool, 256>;
+
+Wanted all_but(std::span<const std::uint8_t> left_out) {
+  Wanted wanted;
+  wanted.fill(true);
+  for (const std::uint8_t label : left_out) wanted[label] = false;
+  return wanted;
+}
+
+// Replaces `values` along one axis by min over q of (values[q] + |p - q|^2), within runs of one wanted label. Where
 // `borders` is set the voxel beyond an end of the run counts with value 0.
-void sweep(const Volume<std::uint8_t>& labels, std::size_t axis, bool borders, std::vector<double>& values) {
+void sweep(const Volume<std::uint8_t>& labels, const Wanted& wanted, std::size_t axis, bool borders,
+           std::vector<double>& values) {
   const auto& size = labels.grid.size;
   const std::array<std::size_t, 3> stride = {1, static_cast<std::size_t>(size[0]),
                                              static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])};
   const std::size_t count = static_cast<std::size_t>(size[axis]), step = stride[axis];
   const std::size_t u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
   const double spacing = labels.grid.spacing[static_cast<Eigen::Index>(axis)];
-  Envelope envelope(count + 2);
-  for (std::size_t b = 0; b < static_cast<std::size_t>(size[v]); ++b) {
+  parallel_for(static_cast<std::size_t>(size[v]), [&](std::size_t b) {
+    Envelope envelope(count + 2);
     for (std::size_t a = 0; a < static_cast<std::size_t>(size[u]); ++a) {
       const std::size_t line = a * stride[u] + b * stride[v];
       for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
         const std::uint8_t label = labels.voxels[line + begin * step];
         while (end < count && labels.voxels[line + end * step] == label) ++end;
+        if (!wanted[label]) continue;
         envelope.clear();
         if (borders && begin > 0) envelope.add(spacing * (static_cast<double>(begin) - 1.0), 0.0);
         for (std::size_t i = begin; i < end; ++i) {
@@ -74,33 +88,37 @@ void sweep(const Volume<std::uint8_t>& labels, std::size_t axis, bool borders, s
         }
       }
     }
-  }
+  });
 }
 
 }  // namespace
 
-std::vector<float> distance_to_other_label(const Volume<std::uint8_t>& labels) {
+std::vector<float> distance_to_other_label(const Volume<std::uint8_t>& labels,
+                                           std::span<const std::uint8_t> left_out) {
+  const Wanted wanted = all_but(left_out);
   std::vector<double> squared(labels.voxels.size(), nowhere);
-  for (std::size_t axis = 0; axis < 3; ++axis) sweep(labels, axis, true, squared);
+  for (std::size_t axis = 0; axis < 3; ++axis) sweep(labels, wanted, axis, true, squared);
   std::vector<float> distance(squared.size());
   for (std::size_t i = 0; i < squared.size(); ++i) distance[i] = static_cast<float>(std::sqrt(squared[i]));
   return distance;
 }
 
 std::vector<std::uint8_t> thick_enough(const Volume<std::uint8_t>& labels, const std::vector<float>& distance,
-                                       const std::vector<float>& radius) {
+                                       const std::vector<float>& radius, std::span<const std::uint8_t> left_out) {
   // |p - c|^2 - distance[c]^2 < 0 for some middle c: then p lies in its ball. The ball holds one label only, so the
   // path from c to p, axis by axis, never leaves the label, and the runs may be swept one by one.
   const double half = 0.5 * labels.grid.spacing.minCoeff();
   constexpr double slack = 1e-5;  // mm, of single precision
+  const Wanted wanted = all_but(left_out);
   std::vector<double> power(labels.voxels.size(), nowhere);
   for (std::size_t i = 0; i < power.size(); ++i) {
+    if (!wanted[labels.voxels[i]]) continue;
     const double away = static_cast<double>(distance[i]);
     if (away - half + slack < static_cast<double>(radius[i])) continue;
     const double reach = std::isinf(away) ? 1e6 : away - slack;
     power[i] = -reach * reach;
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) sweep(labels, axis, false, power);
+  for (std::size_t axis = 0; axis < 3; ++axis) sweep(labels, wanted, axis, false, power);
   std::vector<std::uint8_t> kept(power.size());
   for (std::size_t i = 0; i < power.size(); ++i) kept[i] = power[i] < 0.0 ? 1 : 0;
   return kept;

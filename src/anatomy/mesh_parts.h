@@ -6,14 +6,14 @@
 
 namespace bodkin::anatomy {
 
-// Leaves only the largest part of a mesh that hangs together by faces of tetrahedra, and the nodes that it uses, in
-// their order. Returns how many elements were taken away. Corners must be nodes.
+// Keeps only the largest part of a mesh that is connected by faces of tetrahedra, and the nodes that it uses, in
+// their order. Returns the number of elements removed. Corners must be nodes.
 std::size_t keep_largest_part(TetrahedralMesh& mesh);
 
-// Volume of element `e`, mm^3; positive when its corners are ordered as TetrahedralMesh wants them.
+// Volume of element `e`, mm^3; positive when its corners are in the order of TetrahedralMesh.
 double element_volume(const TetrahedralMesh& mesh, std::size_t e);
 
-// Turns every element of negative volume. Returns how many there were.
+// Reorders every element of negative volume. Returns their number.
 std::size_t orient_elements(TetrahedralMesh& mesh);
 
 }  // namespace bodkin::anatomy

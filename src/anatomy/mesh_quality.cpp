@@ -12,7 +12,7 @@ namespace bodkin::anatomy {
 namespace {
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges_of = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-// The corners that an edge leaves out, in the order of edges_of.
+// The corners that are not on an edge, in the order of edges_of.
 constexpr std::array<std::array<std::size_t, 2>, 6> others_of = {{{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}}};
 constexpr double degrees_per_bin = 180.0 / angle_bins;
 constexpr double poor_angle = 10.0;  // degrees

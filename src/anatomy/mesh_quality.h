@@ -10,7 +10,7 @@
 namespace bodkin::anatomy {
 
 // The six dihedral angles of a tetrahedron in degrees, in the order of the edges (0,1), (0,2), (0,3), (1,2), (1,3),
-// (2,3). Regular: 70.53 each. An angle at an edge of no length is 0.
+// (2,3). Regular: 70.53 each. The angle at an edge of zero length is 0.
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept;
 
 // Elements and nodes of one tissue.
@@ -23,7 +23,7 @@ struct TissueMesh {
 
 inline constexpr int angle_bins = 36;  // of 5 degrees
 
-// What can be measured on a mesh to judge it.
+// Measures of the quality of a mesh.
 struct MeshQuality {
   std::size_t nodes = 0, elements = 0;
   std::size_t not_positive = 0;                                     // elements whose volume is zero or negative
@@ -38,8 +38,8 @@ struct MeshQuality {
   std::vector<TissueMesh> tissues;  // by id
 };
 
-// Measures a mesh; corners must be nodes. `in_region` tells whether a point (LPS mm) is in the part of special
-// interest, such as the corridor of the needle; empty: nothing is.
+// Measures a mesh; corners must be nodes. `in_region` tells whether a point (LPS mm) is in the region of special
+// interest, such as the corridor of the needle; empty: no point is.
 MeshQuality measure_quality(const TetrahedralMesh& mesh, const std::function<bool(const Vec3&)>& in_region = {});
 
 }  // namespace bodkin::anatomy

@@ -62,10 +62,10 @@ struct GaugeSize {
 
 // Nominal sizes, gauges 10 to 34, in order (needle tubing table, nominal values; 32 to 34 partly recalled).
 std::span<const GaugeSize> gauge_sizes();
-// The row of a gauge, or nothing when the table does not hold it.
+// The row of a gauge, or nothing when the table has none.
 std::optional<GaugeSize> gauge_size(int gauge);
 
-// deg, between bevel and axis: that of the needle, or what is usual for its tip.
+// deg, between bevel and axis: the needle's own, or the usual one of its tip.
 double bevel_angle(const Needle& needle);
 // N mm^2, resistance of the tube against bending: E pi (D^4 - d^4)/64.
 double bending_stiffness(const Needle& needle);

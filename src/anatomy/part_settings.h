@@ -8,7 +8,7 @@
 
 namespace bodkin::anatomy {
 
-// Settings of what is added to a resistance: the bevel's pull, the fluid that comes back, the syringe on the hub.
+// Settings of parts added to a resistance: the bevel's deflection, the returning fluid, the syringe on the hub.
 // Tables: core/parameter.h.
 
 // Settings of the part `bevel_tip`.
@@ -86,7 +86,7 @@ struct CsfFlowSettings {
 };
 
 enum class SyringeFilling {
-  saline,  // nearly rigid: line, plunger seal and a small bubble give
+  saline,  // nearly rigid: compliance of line, plunger seal and a small bubble
   air      // C = V/(P_atm + P)
 };
 constexpr std::array<std::string_view, 2> enumeration_names(SyringeFilling) {

@@ -8,10 +8,10 @@
 
 namespace bodkin::anatomy {
 
-// What a tissue is to a needle, whatever the force model: what its boundary bears before it gives way, and how it
-// grips the shaft. Force models derive their parameters from it (forces/needle_law.h) when a case says
-// mechanics="physical". Force and friction are those of a reference needle; the laws carry them over to others.
-// puncture_force = 0 and friction = 0: nothing is felt there. docs/evidence.md has every source.
+// Properties of a tissue that a needle meets, independent of the force model: the force that its boundary bears
+// before puncture, and its friction on the shaft. Force models derive their parameters from it (forces/needle_law.h)
+// when a case says mechanics="physical". Force and friction are those of a reference needle; the laws convert them to
+// others. puncture_force = 0 and friction = 0: no force. docs/evidence.md has every source.
 struct PhysicalTissue {
   double puncture_force = 0.0;
   double spread = 0.0;

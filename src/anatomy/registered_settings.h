@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -9,9 +10,10 @@
 
 namespace bodkin::anatomy {
 
-// The choice of a resistance that the program registers itself (simulation/resistance_models.h): its name, and its
-// settings as texts, which the model's own table of parameters reads when the case is simulated.
+// The choice of a resistance that the program itself registers (simulation/resistance_models.h): its name, and its
+// settings as text, which the model's own parameter table reads when the case is simulated.
 struct RegisteredSettings {
+  static constexpr std::string_view element = "registered";
   std::string name;
   std::vector<std::pair<std::string, std::string>> values;
   std::vector<SettingsTree> children;
@@ -22,7 +24,7 @@ struct RegisteredSettings {
   }
 };
 
-// From an element whose attribute `name` is the model's.
+// Reads an element in which the attribute `name` is the model's.
 inline RegisteredSettings registered_from(const SettingsTree& tree) {
   RegisteredSettings chosen;
   chosen.children = tree.children;
@@ -36,7 +38,7 @@ inline RegisteredSettings registered_from(const SettingsTree& tree) {
   return chosen;
 }
 
-// The inverse.
+// The inverse of registered_from().
 inline SettingsTree settings_tree(std::string name, const RegisteredSettings& chosen) {
   SettingsTree tree{.name = std::move(name), .values = {{"name", chosen.name}}, .children = chosen.children};
   tree.values.insert(tree.values.end(), chosen.values.begin(), chosen.values.end());

@@ -1,18 +1,22 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "anatomy/deformable_settings.h"
+#include "anatomy/registered_settings.h"
 #include "anatomy/tissue_forces.h"
 
 namespace bodkin::anatomy {
 
-// What a case may choose of the resistances. What depends on the tissue stands in the tissue library. Tables:
-// core/parameter.h.
+// Settings of the resistances of a case, and the list of all. Properties of tissues are in the tissue library.
+// Tables: core/parameter.h.
 
 enum class LayeredLaw : std::uint8_t {
   cubic,  // eq. 2 as printed
@@ -24,6 +28,7 @@ constexpr std::array<std::string_view, 2> enumeration_names(LayeredLaw) {
 
 // Settings of the `layered` resistance that are not properties of a tissue.
 struct LayeredSettings {
+  static constexpr std::string_view element = "layered";
   LayeredLaw law = LayeredLaw::cubic;
   bool strict = false;
   double layer = 0.5;
@@ -41,6 +46,7 @@ struct LayeredSettings {
 
 // Settings of SpringDamperWall.
 struct SpringDamperWallSettings {
+  static constexpr std::string_view element = "spring_damper_wall";
   double stiffness = 0.5;
   double damping = 0.0002;  // a device of 1 N/mm at 1 kHz renders at most 0.00025 with this stiffness
   double wall = 0.0;
@@ -58,7 +64,7 @@ struct SpringDamperWallSettings {
   }
 };
 
-// A layer given by where it begins instead of by its tissue.
+// A layer given by the depth at which it begins instead of by its tissue.
 struct TrackingWallDepthLayer {
   double from = 0.0;
   TrackingWallTissue layer;
@@ -73,6 +79,7 @@ struct TrackingWallDepthLayer {
 
 // Settings of TrackingWall and TrackingWallLeash.
 struct TrackingWallSettings {
+  static constexpr std::string_view element = "tracking_wall";
   bool leash = false;
   double surface = 0.0;
   double catch_up = 0.5;
@@ -106,6 +113,7 @@ struct TrackingWallSettings {
 
 // Settings of DepthProfile.
 struct DepthProfileSettings {
+  static constexpr std::string_view element = "depth_profile";
   double skin_stiffness = 0.3;
   double puncture_depth = 5.0;
   double trailing = 2.0;
@@ -146,7 +154,7 @@ struct DepthProfileSettings {
   }
 };
 
-// How the field of `volume_proxy` is made from CT and tissues.
+// How the field of `volume_proxy` is computed from CT and tissues.
 struct HapticFieldSettings {
   double ct_range = 0.2;
   double lowest_hounsfield = -200.0;
@@ -170,7 +178,7 @@ struct HapticFieldSettings {
   }
 };
 
-// A point of a transfer function of V; between points the properties are linear, outside constant.
+// A point of a transfer function of V; the properties are linear between points and constant outside.
 struct TransferPoint {
   double value = 0.0;
   ProxyProperties properties;
@@ -193,6 +201,7 @@ constexpr std::array<std::string_view, 2> enumeration_names(ProxyVariant) {
 
 // Settings of VolumeProxy.
 struct VolumeProxySettings {
+  static constexpr std::string_view element = "volume_proxy";
   double stiffness = 0.5;
   double gradient_reference = 0.1;
   double gradient_least = 1e-4;
@@ -243,6 +252,7 @@ struct KarnoppFriction {
 
 // Settings of ThreeComponent. Friction: Okamura et al. 2004, bovine liver, recalled.
 struct ThreeComponentSettings {
+  static constexpr std::string_view element = "three_component";
   double linear = 0.02;
   double quadratic = 0.03;
   double puncture_force = 0.85;
@@ -285,6 +295,7 @@ struct ThreeComponentSettings {
 
 // Settings of Fracture.
 struct FractureSettings {
+  static constexpr std::string_view element = "fracture";
   double stiffness = 0.05;
   double spacing = 1.0;
   double toughness = 1.0;
@@ -315,6 +326,7 @@ struct FractureSettings {
 
 // Settings of ShaftFriction, as a resistance of its own or as a part.
 struct ShaftFrictionSettings {
+  static constexpr std::string_view element = "shaft_friction";
   double stribeck_velocity = 5.0;
 
   template <typename S = ShaftFrictionSettings>
@@ -326,6 +338,7 @@ struct ShaftFrictionSettings {
 
 // Settings of SurfaceProxy.
 struct SurfaceProxySettings {
+  static constexpr std::string_view element = "surface_proxy";
   double stiffness = 1.0;
   double static_friction = 0.3;
   double dynamic_friction = 0.2;
@@ -351,5 +364,42 @@ struct SurfaceProxySettings {
     return std::tuple{AtMost{&SurfaceProxySettings::dynamic_friction, &SurfaceProxySettings::static_friction}};
   }
 };
+
+// All resistances; to add one, its settings above and its name here. The model with these settings says so in its
+// source (forces/resistance_model.h).
+using ResistanceSettings =
+    std::variant<LayeredSettings, SpringDamperWallSettings, TrackingWallSettings, DepthProfileSettings,
+                 VolumeProxySettings, ThreeComponentSettings, FractureSettings, ShaftFrictionSettings,
+                 EmbeddedNeedleSettings, ClosestNodeSettings, SurfaceProxySettings, RegisteredSettings>;
+
+// The names of models as case files write them, in the order of the variant: of each its struct's `element`.
+template <typename... Models>
+constexpr std::array<std::string_view, sizeof...(Models)> element_names(
+    std::type_identity<std::variant<Models...>> /*of*/) {
+  return {Models::element...};
+}
+inline constexpr auto resistance_names = element_names(std::type_identity<ResistanceSettings>());
+
+// That of the one that is chosen.
+template <typename... Models>
+std::string_view name_of(const std::variant<Models...>& settings) {
+  return std::visit([](const auto& model) { return model.element; }, settings);
+}
+
+// The name of the model: that of name_of(), or the one under which the program registered it.
+inline std::string_view model_name(const ResistanceSettings& settings) {
+  const auto* registered = std::get_if<RegisteredSettings>(&settings);
+  return registered == nullptr ? name_of(settings) : std::string_view(registered->name);
+}
+
+// What the deformable body of a resistance is made with; nullptr when the resistance needs none.
+inline const DeformableBodySettings* body_of(const ResistanceSettings& settings) {
+  return std::visit(
+      [](const auto& model) -> const DeformableBodySettings* {
+        if constexpr (requires { model.body; }) return &model.body;
+        return nullptr;
+      },
+      settings);
+}
 
 }  // namespace bodkin::anatomy

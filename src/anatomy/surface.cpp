@@ -11,7 +11,7 @@ namespace bodkin::anatomy {
 namespace {
 
 constexpr double farthest_vertex = 1e4;  // mm
-constexpr double least_height = 1e-8;    // mm: far above what rounding does to a triangle 1e4 mm from the origin
+constexpr double least_height = 1e-8;    // mm: far above the rounding error of a triangle 1e4 mm from the origin
 
 // Twice the area over the longest edge; 0 when corners coincide.
 double height(const Vec3& a, const Vec3& b, const Vec3& c) {

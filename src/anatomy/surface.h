@@ -13,21 +13,21 @@ namespace bodkin::anatomy {
 class Surface {
  public:
   Surface() = default;
-  // Takes vertices and triangles; a triangle whose least height is below 1e-8 mm has no normal and is left out.
+  // Stores vertices and triangles; a triangle whose least height is below 1e-8 mm has no normal and is left out.
   // Throws InputError for a vertex that is not finite or farther than 1e4 mm from the origin, for a corner that is
-  // no vertex, and where two triangles run along an edge in the same direction: their sides do not agree, or more
-  // than two triangles share the edge.
+  // not a vertex, and where two triangles run along an edge in the same direction: their orientations disagree, or
+  // more than two triangles share the edge.
   Surface(std::vector<Vec3> vertices, std::vector<std::array<int, 3>> triangles);
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
   // neighbours()[t][e]: triangle on the other side of the edge from corner e to corner e + 1; -1 at a border.
   const std::vector<std::array<int, 3>>& neighbours() const { return neighbours_; }
-  // How many triangles were left out because they have no normal.
+  // Number of triangles left out because they have no normal.
   std::size_t left_out() const { return left_out_; }
 
   bool empty() const { return triangles_.empty(); }
-  // No borders: what is inside is well defined.
+  // Whether the surface has no border, so that its inside is well defined.
   bool closed() const;
   // Unit outward normal of triangle t.
   Vec3 normal(std::size_t t) const;

@@ -13,8 +13,8 @@
 
 namespace bodkin::anatomy {
 
-// What a voxel is made of, as far as a needle can feel it. Values 0 to 31 are Bodkin's own and fixed; a tissue
-// library may define more, 32 to 254. 255 is never a tissue.
+// The tissue of a voxel, as far as a needle can feel it. Values 0 to 31 are Bodkin's own and fixed; a tissue library
+// may define more, 32 to 254. 255 is never a tissue.
 using TissueId = std::uint8_t;
 
 namespace tissue {
@@ -22,7 +22,7 @@ inline constexpr TissueId air = 0;
 inline constexpr TissueId skin = 1;
 inline constexpr TissueId fat = 2;
 inline constexpr TissueId muscle = 3;
-inline constexpr TissueId soft = 4;  // soft tissue that nothing names more closely
+inline constexpr TissueId soft = 4;  // soft tissue that is not classified further
 inline constexpr TissueId cortical_bone = 5;
 inline constexpr TissueId cancellous_bone = 6;
 inline constexpr TissueId disc = 7;
@@ -32,7 +32,7 @@ inline constexpr TissueId ligamentum_flavum = 10;
 inline constexpr TissueId epidural_fat = 11;  // the epidural space
 inline constexpr TissueId dura = 12;          // dura with arachnoid
 inline constexpr TissueId cerebrospinal_fluid = 13;
-inline constexpr TissueId nerve = 14;  // nerve roots, the cauda equina among them
+inline constexpr TissueId nerve = 14;  // nerve roots, including the cauda equina
 inline constexpr TissueId vessel = 15;
 inline constexpr TissueId organ = 16;
 inline constexpr TissueId lung = 17;
@@ -40,7 +40,7 @@ inline constexpr TissueId gas = 18;  // inside the body: bowel gas
 inline constexpr TissueId metal = 19;
 inline constexpr TissueId mass = 20;  // a lesion, the target of a biopsy
 inline constexpr TissueId cartilage = 21;
-inline constexpr TissueId spinal_cord = 22;  // with the conus medullaris, its lower end
+inline constexpr TissueId spinal_cord = 22;  // with its lower end, the conus medullaris
 inline constexpr int count = 23;
 }  // namespace tissue
 
@@ -95,12 +95,12 @@ class TissueLibrary {
   explicit TissueLibrary(std::vector<TissueProperties> tissues);
 
   const std::vector<TissueProperties>& tissues() const { return tissues_; }
-  // nullptr when there is none.
+  // nullptr for an unknown id or name.
   const TissueProperties* find(TissueId id) const noexcept {
     return by_id_[id] < 0 ? nullptr : &tissues_[static_cast<std::size_t>(by_id_[id])];
   }
   const TissueProperties* find(std::string_view name) const noexcept;
-  // One property of every tissue by id; `absent` for ids without an entry. For models that look it up each tick.
+  // One property of every tissue by id; `absent` for ids without an entry. For models that read it each tick.
   template <typename Property>
   std::array<Property, 256> by_id(Property TissueProperties::*property, const Property& absent = {}) const {
     std::array<Property, 256> table;  // 256, by TissueId

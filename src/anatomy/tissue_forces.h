@@ -9,9 +9,9 @@
 
 namespace bodkin::anatomy {
 
-// How one tissue resists, for every force model that asks the tissue. A tissue library (docs/case-format.md) fills
-// these; a tissue that has nothing to say to a model resists with nothing there. Tables: core/parameter.h. The
-// numbers of a library have their sources in the library.
+// Resistance of one tissue in each force model that asks the tissue. A tissue library (docs/case-format.md) fills
+// these in; a tissue without values for a model gives no resistance. Tables: core/parameter.h. The numbers of a
+// library have their sources in the library.
 
 // How a tissue resists in the `layered` model (Heng 2004; docs/models/layered.md has the laws).
 enum class LayeredKind : std::uint8_t {
@@ -108,7 +108,7 @@ struct TrackingWallTissue {
   }
 };
 
-// What `depth_profile` (Kwon 2001) does in a tissue.
+// How `depth_profile` (Kwon 2001) treats a tissue.
 enum class DepthProfileKind : std::uint8_t {
   nothing,  // air, gas, fluid: no force
   soft,     // cut: the trailing spring
@@ -134,7 +134,7 @@ struct DepthProfileTissue {
   }
 };
 
-// What a tissue, or a value of the field, does to the proxy of `volume_proxy` (Faerber).
+// Effect of a tissue, or of a value of the field, on the proxy of `volume_proxy` (Faerber).
 struct ProxyProperties {
   double penetrability = 0.0;
   double friction = 0.0;
@@ -189,7 +189,7 @@ struct ShaftFrictionTissue {
   }
 };
 
-// What the tissue does to a fluid that is pushed out of the needle's tip (`syringe`; Vaughan 2012).
+// Effect of the tissue on a fluid that is pushed out of the needle's tip (`syringe`; Vaughan 2012).
 struct SyringeTissue {
   double resistance = 0.05;
   double pressure = 0.0;
@@ -203,9 +203,9 @@ struct SyringeTissue {
   }
 };
 
-// Where the fibres of a tissue run, as an axis of the patient.
+// Direction of the fibres of a tissue, as an axis of the patient.
 enum class FibreAxis : std::uint8_t {
-  none,       // it has none
+  none,       // no fibres
   superior,   // along the spine
   left,       // from side to side
   posterior,  // from front to back
@@ -214,9 +214,9 @@ constexpr std::array<std::string_view, 4> enumeration_names(FibreAxis) {
   return {"none", "superior", "left", "posterior"};
 }
 
-// What a tissue of a deformable body is made of (docs/fem.md), and what a needle meets in it (docs/fem-contact.md).
-// young = 0: the library says nothing, the tissue cannot be in a mesh. Moduli along the fibres count where there are
-// some; 0: as across them.
+// Elastic properties of a tissue of a deformable body (docs/fem.md), and its resistance to a needle there
+// (docs/fem-contact.md). young = 0: not stated, so the tissue cannot be in a mesh. Moduli along the fibres are used
+// only for tissues with fibres; 0: equal to the moduli across them.
 struct DeformableTissue {
   double young = 0.0;
   double poisson = 0.3;

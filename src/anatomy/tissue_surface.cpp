@@ -18,7 +18,7 @@ std::size_t axis_index(int axis) {
   return static_cast<std::size_t>(axis);
 }
 
-// Share of the region in blocks of voxels, with a margin of zeros.
+// Fraction of each block of voxels in the region, with a margin of zeros.
 Volume<float> shares(const TissueVolume& tissues, const TissueSet& region, double edge) {
   const Grid& fine = tissues.grid;
   std::array<int, 3> block{};
@@ -81,7 +81,7 @@ int pattern(const Volume<float>& share, int i, int j, int k) {
   return bits;
 }
 
-// For each pattern the corners to fill where inside or outside touches itself across a face or through the cell only.
+// For each pattern the corners to fill where inside or outside touches itself only across a face or through the cell.
 // They lie within the box around the inside, so that filling never spreads into the margin.
 std::array<int, 256> fillings() {
   std::array<int, 256> filling{};
@@ -117,7 +117,7 @@ void fill_touching_cells(Volume<float>& share) {
   static const std::array<int, 256> filling = fillings();
   constexpr float filled = 0.75F;
   bool changed = true;
-  while (changed) {  // ends: cells are only ever filled
+  while (changed) {  // terminates: cells are only ever filled
     changed = false;
     for_each_cell(share.grid, [&](int i, int j, int k) {
       const int fill = filling[static_cast<std::size_t>(pattern(share, i, j, k))];
@@ -151,7 +151,7 @@ Vec3 net_vertex(const Volume<float>& share, int i, int j, int k) {
   return Vec3(i, j, k) + sum / crossings;
 }
 
-// The four cells around each mixed edge of the lattice make two triangles.
+// The four cells around each mixed edge of the lattice give two triangles.
 std::vector<std::array<int, 3>> net_triangles(const Volume<float>& share, const std::vector<int>& vertex_of,
                                               const std::vector<Vec3>& vertices) {
   const Grid& grid = share.grid;

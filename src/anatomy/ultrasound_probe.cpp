@@ -10,7 +10,7 @@ constexpr double widest_face = 180.0;  // degrees that a curved face may span
 constexpr Range radius_of_a_curved_face = {5.0, 200.0};
 constexpr Range sector_of_a_phased_face = {10.0, 120.0};
 
-// A number that belongs to probes of another kind.
+// A number that applies only to other kinds of probe.
 void check_absent(const UltrasoundProbe& probe, const std::string& origin, std::string_view name, double value,
                   std::string_view unit, std::string_view owner) {
   if (value == 0.0) return;

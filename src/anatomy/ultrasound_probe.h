@@ -16,10 +16,11 @@ constexpr std::array<std::string_view, 3> enumeration_names(ProbeKind) {
 // "linear", "curvilinear" or "phased".
 std::string to_string(ProbeKind kind);
 
-// An ultrasound probe as its data sheet gives it. Its frame is PLUS's "Transducer": origin in the middle of the
-// crystals' face, x to the marked side, y away from the probe into the patient, z across the slice (x cross y).
+// An ultrasound probe as described by its data sheet. Its frame is PLUS's "Transducer": origin in the middle of the
+// crystals' face, x towards the orientation marker, y away from the probe into the patient, z across the slice (x
+// cross y).
 struct UltrasoundProbe {
-  std::string name;   // as people call it: "C5-2"
+  std::string name;   // as users call it: "C5-2"
   std::string title;  // "curvilinear, abdomen and spine"
   ProbeKind kind = ProbeKind::linear;
   double frequency = 5.0;
@@ -33,7 +34,7 @@ struct UltrasoundProbe {
   double lens = 60.0;
   double cycles = 2.0;
   double depth = 80.0;
-  std::string source;  // where the numbers come from
+  std::string source;  // of the numbers
 
   template <typename S = UltrasoundProbe>
   static constexpr auto parameters() {
@@ -73,7 +74,8 @@ struct UltrasoundProbe {
   double aperture() const { return elements * pitch; }
 };
 
-// Throws InputError naming `origin`, the field, what it is and what is expected, when the probe could not exist.
+// Throws InputError naming `origin`, the field, its value and the expected range when the probe is physically
+// impossible.
 void check(const UltrasoundProbe& probe, const std::string& origin);
 
 }  // namespace bodkin::anatomy

@@ -29,18 +29,18 @@ using TissueVolume = Volume<std::uint8_t>;  // tissue ids of the tissue library
 // HU; the lowest value of the CT scale as scanners store it.
 inline constexpr std::int16_t lowest_hounsfield = -1024;
 
-// The voxel whose cell holds `index` (continuous), or `outside` beyond the outermost cells. Never throws.
+// The voxel whose cell contains `index` (continuous), or `outside` beyond the outermost cells. Never throws.
 template <typename Voxel>
 Voxel nearest_at_index(const Volume<Voxel>& volume, const Vec3& index, Voxel outside) noexcept {
   const Vec3 rounded = (index.array() + 0.5).floor();
   const bool inside = rounded.x() >= 0.0 && rounded.y() >= 0.0 && rounded.z() >= 0.0 &&
                       rounded.x() < volume.grid.size[0] && rounded.y() < volume.grid.size[1] &&
                       rounded.z() < volume.grid.size[2];
-  if (!inside) return outside;  // also when the index is NaN: every comparison is then false
+  if (!inside) return outside;  // also for NaN, for which every comparison is false
   return volume.at(static_cast<int>(rounded.x()), static_cast<int>(rounded.y()), static_cast<int>(rounded.z()));
 }
 
-// The voxel whose cell holds `point` (LPS mm), or `outside`.
+// The voxel whose cell contains `point` (LPS mm), or `outside`.
 template <typename Voxel>
 Voxel nearest(const Volume<Voxel>& volume, const Vec3& point, Voxel outside) noexcept {
   return nearest_at_index(volume, volume.grid.to_index(point), outside);

@@ -155,7 +155,7 @@ std::string calibrations_xml(std::span<const haptics::DeviceCalibration> calibra
 
 void write_calibrations(std::span<const haptics::DeviceCalibration> calibrations, const fs::path& file) {
   const std::string text = calibrations_xml(calibrations);
-  parse_calibrations(text, file.string());  // what would not be read back must not be written
+  parse_calibrations(text, file.string());  // values that could not be read back must not be written
   write_file(file, text);
 }
 

@@ -46,7 +46,7 @@ anatomy::TissueLibrary read_case_library(const fs::path& folder, const anatomy::
 void write_case_description(const anatomy::CaseDescription& description, const fs::path& folder) {
   const fs::path file = folder / "case.xml";
   const std::string text = case_xml(description);
-  // What would not be read back must not be written.
+  // Values that could not be read back must not be written.
   parse_case_xml(text, file.string(), XmlSchema("case.xsd"),
                  [&folder](const std::string& name) { return library_of_case(folder, name); });
   if (!std::filesystem::is_directory(file.parent_path())) {

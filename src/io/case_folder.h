@@ -17,31 +17,31 @@ anatomy::CaseDescription read_case_description(const std::filesystem::path& fold
 anatomy::TissueLibrary read_case_library(const std::filesystem::path& folder,
                                          const anatomy::CaseDescription& description);
 
-// Reads a whole case: description, tissue library and volumes. Files that Bodkin wrote are read at the same time in
-// this process (nrrd_reader.h), others through the image worker, which cannot take this process down. Throws
-// InputError when a file is missing, damaged, or does not agree with case.xml.
+// Reads a whole case: description, tissue library and volumes. Files written by Bodkin are read in parallel in this
+// process (nrrd_reader.h), others through the image worker, which cannot crash this process. Throws InputError when a
+// file is missing, damaged, or does not agree with case.xml.
 anatomy::Case load_case(const std::filesystem::path& folder, const Progress& progress = {});
 
-// Reads the tissues alone, checked like those of load_case.
+// Reads only the tissues, checked as by load_case.
 anatomy::TissueVolume load_case_tissues(const std::filesystem::path& folder,
                                         const anatomy::CaseDescription& description, const Progress& progress = {});
 
-// Reads the segmentation alone, the same way; empty where the case has none.
+// Reads only the segmentation, checked as by load_case; empty if the case has none.
 anatomy::LabelVolume load_case_structures(const std::filesystem::path& folder,
                                           const anatomy::CaseDescription& description, const Progress& progress = {});
 
-// Writes case.xml (and nothing else) into `folder`; an older one is replaced whole. Throws SystemError when that
-// fails, and InputError when read_case_description would refuse what was written.
+// Writes case.xml (and nothing else) into `folder`, replacing an older one atomically. Throws SystemError on failure,
+// and InputError when read_case_description would reject the result.
 void write_case_description(const anatomy::CaseDescription& description, const std::filesystem::path& folder);
 
-// Writes a case that is in memory into a folder that exists: the volumes, without those that are empty, and the
-// tissue library, where one is given, under their usual names; names and digests go into the description, and then
-// case.xml is written as above. Throws what write_case_description throws.
+// Writes a case in memory into an existing folder: the volumes, except empty ones, and the tissue library, if given,
+// under their usual names; names and digests are added to the description, and then case.xml is written as above.
+// Throws what write_case_description throws.
 void write_case(anatomy::CaseDescription& description, const anatomy::CtVolume& ct,
                 const anatomy::TissueVolume& tissues, const anatomy::LabelVolume& structures,
                 const anatomy::TissueLibrary* library, const std::filesystem::path& folder);
 
-// Everything that is wrong with a case folder, one sentence each; empty = valid. Never throws for bad content.
+// All errors in a case folder, one sentence each; empty = valid. Never throws for invalid content.
 std::vector<std::string> check_case(const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace bodkin::io

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// One volume of the case, which must be the one that the case was made with. Bodkin's own file is read by a thread
+// One volume of the case, which must be the volume that the case was made with. Bodkin's own file is read by a thread
 // that starts at once; a file of any other form is read by the image worker, in wait().
 template <typename Voxel>
 class VolumeLoading {
@@ -41,7 +41,7 @@ class VolumeLoading {
   VolumeLoading(const VolumeLoading&) = delete;
   VolumeLoading& operator=(const VolumeLoading&) = delete;
 
-  // The volume; only once. Throws InputError.
+  // Returns the volume; may be called once. Throws InputError.
   anatomy::Volume<Voxel> wait(const Progress& progress) {
     std::optional<anatomy::Volume<Voxel>> own = own_.get();
     if (own) return std::move(*own);
@@ -53,7 +53,7 @@ class VolumeLoading {
  private:
   void accept(anatomy::Volume<Voxel>& volume) const {
     if constexpr (std::is_same_v<anatomy::Volume<Voxel>, anatomy::CtVolume>) {
-      // Padding outside the scanned field, which the image worker raises too.
+      // Padding outside the scanned field, raised by the image worker too.
       for (Voxel& value : volume.voxels) value = std::max(value, anatomy::lowest_hounsfield);
     }
     if (digest_.empty()) return;

@@ -35,7 +35,7 @@ std::array<Vec3, 8> box_corners(const anatomy::Grid& grid) {
   return corners;
 }
 
-// The furthest that a corner of one box lies from the same corner of the other, mm.
+// The greatest distance between corresponding corners of two boxes, mm.
 double box_distance(const anatomy::Grid& a, const anatomy::Grid& b) {
   const auto corners_a = box_corners(a), corners_b = box_corners(b);
   double furthest = 0.0;
@@ -45,7 +45,7 @@ double box_distance(const anatomy::Grid& a, const anatomy::Grid& b) {
   return furthest;
 }
 
-// How many voxels hold each value.
+// The number of voxels of each value.
 template <typename Voxel>
 std::vector<std::size_t> histogram(const std::vector<Voxel>& voxels) {
   std::vector<std::size_t> counts(std::size_t{std::numeric_limits<Voxel>::max()} + 1, 0);
@@ -120,7 +120,7 @@ class Line {
   Vec3 start_, direction_;
 };
 
-// The entry must be where air meets the body. A crop may have no skin on the line: then any entry will do.
+// The entry must be where air meets the body. A crop may have no skin on the line: then any entry is valid.
 void check_entry(const anatomy::Case& patient, const anatomy::NeedlePath& path, std::vector<std::string>& problems) {
   const double tolerance = std::max(3.0, 1.5 * patient.ct.grid.spacing.maxCoeff());
   const auto is_air = [](anatomy::TissueId id) { return id == anatomy::tissue::air; };

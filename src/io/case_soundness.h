@@ -7,17 +7,16 @@
 
 namespace bodkin::io {
 
-// Where the volumes of a case do not lie on each other as they must, one sentence each: the structures on the CT's
-// lattice, the tissues over the CT's box. Volumes that are empty are passed over.
+// Mismatches between the lattices of a case's volumes, one sentence each: the structures must lie on the CT's
+// lattice, the tissues cover the CT's box. Empty volumes are ignored.
 std::vector<std::string> lattice_problems(const anatomy::Case& patient);
 
-// What is wrong with `path` as the planned path of this patient, one sentence each: it misses the image, the skin or
-// its aim, goes into the spinal cord, or is longer than the needle. Empty = sound.
+// Errors of `path` as the planned path of this patient, one sentence each: it misses the image, the skin or its
+// target, enters the spinal cord, or is longer than the needle. Empty = valid.
 std::vector<std::string> path_problems(const anatomy::Case& patient, const anatomy::NeedlePath& path);
 
-// Everything else that is wrong inside a case, one sentence each: labels and tissue ids that nothing explains, and a
-// planned path that misses the image, the skin or its aim, goes into the spinal cord, or is longer than the needle.
-// Empty = valid.
+// All other errors inside a case, one sentence each: unknown labels and tissue ids, and a planned path that misses
+// the image, the skin or its target, enters the spinal cord, or is longer than the needle. Empty = valid.
 std::vector<std::string> content_problems(const anatomy::Case& patient);
 
 }  // namespace bodkin::io

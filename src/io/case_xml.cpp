@@ -105,7 +105,7 @@ std::vector<anatomy::Landmark> read_landmarks(const XmlElement& element, const s
 }
 
 anatomy::Procedure read_procedure(const XmlElement& element, const std::string& origin) {
-  constexpr double shortest = 0.1;  // mm; a shorter path has no direction worth the name
+  constexpr double shortest = 0.1;  // mm; a shorter path has no meaningful direction
   anatomy::Procedure procedure;
   procedure.name = element.string("name", procedure.name);
   procedure.target_tissue = element.string("target_tissue");

@@ -63,7 +63,7 @@ Pipe make_pipe() {
   return {high_copy(read_end), high_copy(write_end)};
 }
 
-// Kills and reaps the child however the parent leaves.
+// Kills and reaps the child in every exit of the parent.
 class Child {
  public:
   explicit Child(pid_t pid) : pid_(pid) {}
@@ -111,7 +111,7 @@ void limit(int resource, rlim_t value) {
   _exit(could_not_start);
 }
 
-// The child's standard input: memory, so that neither process waits for the other and no pipe can break.
+// The child's standard input: memory, so that neither process waits and no pipe can break.
 Descriptor input_of(std::string_view text) {
   Descriptor memory(memfd_create("bodkin-request", MFD_CLOEXEC));
   const bool written = ::write(memory.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -121,7 +121,7 @@ Descriptor input_of(std::string_view text) {
   return high_copy(memory);
 }
 
-// Reads lines until the child closes its output (`exited`), time runs out or this process is to end.
+// Reads lines until the child closes its output (`exited`), time runs out or this process is told to end.
 ChildEnd read_lines(const Descriptor& descriptor, std::chrono::steady_clock::time_point deadline,
                     const std::function<void(std::string_view)>& on_line) {
   std::string pending;

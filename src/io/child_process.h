@@ -12,7 +12,7 @@
 
 namespace bodkin::io {
 
-// What a child process may use up.
+// Resource limits of a child process.
 struct ChildLimits {
   std::uint64_t memory = 0;             // bytes of address space; 0 = no limit
   std::chrono::seconds processor{600};  // processor time
@@ -24,16 +24,15 @@ enum class ChildEnd { exited, killed, out_of_time, interrupted };
 struct ChildResult {
   pid_t pid = 0;
   ChildEnd end = ChildEnd::exited;
-  int exit_code = 0;  // when it exited
-  int signal = 0;     // when a signal killed it
+  int exit_code = 0;  // if it exited
+  int signal = 0;     // if a signal killed it
 };
 
 // Runs `program` with `arguments` and waits for it. `input` is written to its standard input, each line of its
-// standard output goes to `on_line` (without the line break), its standard error goes nowhere. `inherited` becomes
-// its file descriptor 3 (-1 = none). The child gets the limits, no core file, and dies when this process does, or is
-// interrupted as soon as a DeferredTermination has noted a signal. An
-// exception from `on_line` kills the child and propagates to the caller. Throws SystemError when the program cannot
-// be started.
+// standard output is passed to `on_line` (without the line break), its standard error is discarded. `inherited`
+// becomes its file descriptor 3 (-1 = none). The child gets the limits, no core file, and dies with this process, or
+// is interrupted as soon as a DeferredTermination has noted a signal. An exception from `on_line` kills the child and
+// propagates to the caller. Throws SystemError when the program cannot be started.
 ChildResult run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                       std::string_view input, int inherited, const ChildLimits& limits,
                       const std::function<void(std::string_view line)>& on_line);

@@ -14,7 +14,7 @@ namespace bodkin::io {
 
 namespace {
 
-// What libcsv's callbacks fill. They must not throw, for C code lies between.
+// The data filled by libcsv's callbacks. They must not throw, because C code lies between.
 struct Rows {
   std::vector<CsvRow> rows;
   CsvRow current;
@@ -55,7 +55,7 @@ struct Parser : csv_parser {
   fail_at(
       origin, line,
       fmt::format(
-          "column {}: a quote (\") stands where none may; put the whole field in quotes and double the quotes in it",
+          "column {}: a quote (\") is not allowed here; put the whole field in quotes and double the quotes in it",
           rows.current.fields.size() + 1));
 }
 
@@ -67,7 +67,7 @@ std::vector<CsvRow> read_csv_rows(std::string_view text, const std::string& orig
   Parser parser(form.separator);
   int line = 1;
   bool comment = false;
-  // One character at a time, so that every row knows the line on which it begins.
+  // One character at a time, to record the line on which every row begins.
   for (std::size_t position = 0; position < text.size();) {
     const std::size_t length = character_length(text, position);
     if (length == 0) {

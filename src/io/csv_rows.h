@@ -8,14 +8,14 @@ namespace bodkin::io {
 
 // One row of a table in CSV.
 struct CsvRow {
-  int line = 0;                     // where it begins, from 1
+  int line = 0;                     // first line of the row, from 1
   std::vector<std::string> fields;  // without quotes and the blanks around them
 };
 
-// How a table is written.
+// The format of a table.
 struct CsvForm {
   char separator = ',';
-  bool comments = false;  // lines that begin with # are left out
+  bool comments = false;  // lines that begin with # are ignored
 };
 
 // The rows of a table, empty lines left out; a byte order mark at the beginning is skipped. `origin` names the table

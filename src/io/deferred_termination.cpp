@@ -55,7 +55,7 @@ int DeferredTermination::pending() noexcept {
   return noted.load();
 }
 
-Progress until_told_to_end(const Progress& progress) {
+Progress until_interrupted(const Progress& progress) {
   return [progress](std::string_view stage, double fraction) {
     if (DeferredTermination::pending() != 0) throw SystemError("interrupted; nothing was made");
     if (progress) progress(stage, fraction);

@@ -4,10 +4,10 @@
 
 namespace bodkin::io {
 
-// While one lives, a signal that would end this process (SIGINT, SIGTERM, SIGHUP) is only noted, so that a child can
-// be stopped and what it was making be removed. The last one to go ends the process by the signal that was noted.
-// Signals that the program handles itself or ignores are left alone. Any thread may hold one; run_child() looks at
-// it.
+// During the lifetime of an object, a signal that would end this process (SIGINT, SIGTERM, SIGHUP) is only noted, so
+// that a child can be stopped and its incomplete output removed. The last object to be destroyed ends the process by
+// the noted signal. Signals that the program handles itself or ignores are not affected. Usable on any thread;
+// run_child() checks it.
 class DeferredTermination {
  public:
   DeferredTermination();
@@ -15,11 +15,11 @@ class DeferredTermination {
   DeferredTermination(const DeferredTermination&) = delete;
   DeferredTermination& operator=(const DeferredTermination&) = delete;
 
-  // The signal that was noted, or 0.
+  // The noted signal, or 0.
   static int pending() noexcept;
 };
 
-// `progress`, which ends the work by SystemError as soon as a DeferredTermination has noted a signal.
-Progress until_told_to_end(const Progress& progress);
+// Wraps `progress` to end the work by SystemError as soon as a DeferredTermination has noted a signal.
+Progress until_interrupted(const Progress& progress);
 
 }  // namespace bodkin::io

@@ -29,7 +29,7 @@ struct QuantityKind {
   double most;
 };
 
-// A quantity that a case's device has too.
+// A quantity also present in a case's device.
 QuantityKind kind_of(std::string_view name, double anatomy::DeviceLimits::*limit) {
   const DeclaredParameter declared = declaration_of(limit);
   return {name, declared.unit, declared.range.high};
@@ -86,7 +86,7 @@ class ProfileRow {
     if (known == provenances.end()) fail(5, "paper, looked-up, recalled, derived or not sourced");
     found.provenance = static_cast<haptics::Provenance>(known - provenances.begin());
     if ((found.provenance == haptics::Provenance::unknown) != row_.fields[2].empty()) {
-      fail(5, row_.fields[2].empty() ? "not sourced, for there is no value" : "where the value comes from");
+      fail(5, row_.fields[2].empty() ? "not sourced, because there is no value" : "where the value comes from");
     }
     if (found.provenance != haptics::Provenance::unknown && found.source.empty())
       fail(4, "where the value comes from");
@@ -115,7 +115,7 @@ class ProfileRow {
   const std::string& origin_;
 };
 
-// Profiles while they are read, with the lines of their numbers.
+// Profiles during reading, with the lines of their numbers.
 struct Reading {
   haptics::DeviceProfile profile;
   std::array<int, haptics::device_quantities> lines{};

@@ -8,10 +8,10 @@
 
 namespace bodkin::io {
 
-// The devices that a table describes, one number a row, with the columns
-// device,quantity,value,unit,source,provenance,remark. An empty value says that no number is known. The rows of a
-// device follow each other or not, as you like; `also_called` gives another name of it instead of a number. Throws
-// InputError naming file and line, what was found and what was expected.
+// The devices described by a table, one number per row, with the columns
+// device,quantity,value,unit,source,provenance,remark. An empty value means that no number is known. The rows of a
+// device need not be contiguous; `also_called` gives another name of it instead of a number. Throws InputError naming
+// file and line, what was found and what was expected.
 std::vector<haptics::DeviceProfile> read_device_profiles(const std::filesystem::path& file);
 
 // The same from text already in memory; `origin` names it in messages.

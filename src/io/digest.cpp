@@ -11,7 +11,7 @@
 namespace bodkin::io {
 namespace {
 
-// Below a millionth of a micrometre nothing is meant: rounding noise of either sign becomes the same zero.
+// Values below a millionth of a micrometre are rounding noise: either sign becomes the same zero.
 constexpr double negligible = 1e-9;
 
 float rounded(double value) {

@@ -95,7 +95,7 @@ anatomy::TissueLibrary library_from(std::vector<anatomy::TissueProperties> tissu
     if (const std::string* colour = element.find("colour"); colour != nullptr)
       entry->colour = static_cast<std::uint32_t>(std::stoul(colour->substr(1), nullptr, 16));
     read_tissue_forces(element, origin, *entry);
-    // The description of the tissue it starts from is not that of one with forces of its own.
+    // The description of the original tissue does not apply to one with changed forces.
     const bool has_forces = std::any_of(element.children.begin(), element.children.end(),
                                         [](const XmlElement& child) { return child.name != "syringe"; });
     if (has_forces && element.child("physical") == nullptr) entry->physical = {};
@@ -209,11 +209,11 @@ PublishedValue value_from(const XmlElement& element, const std::string& origin) 
   value.source = element.string("source");
   value.quantity = quantity_of(element, "quantity", Quantity::resistance);
   const std::string take = element.string("take", "mean");
-  value.take = take == "highest"  ? Take::highest
-               : take == "lowest" ? Take::lowest
-               : take == "first"  ? Take::first
-               : take == "last"   ? Take::last
-                                  : Take::mean;
+  value.aggregation = take == "highest"  ? Aggregation::highest
+                      : take == "lowest" ? Aggregation::lowest
+                      : take == "first"  ? Aggregation::first
+                      : take == "last"   ? Aggregation::last
+                                         : Aggregation::mean;
   value.window = window_from(element, origin);
   value.value = element.number("is", 0.0);
   value.tolerance = element.number("tolerance", 0.0);
@@ -250,7 +250,7 @@ void check_quantities(const Experiment& experiment, const std::string& origin) {
 void ExperimentMotion::lay_along(const Vec3& from, const Vec3& towards) {
   entry = from;
   direction = towards.normalized();
-  // Along x as far as that is across.
+  // Along x, projected perpendicular to the line.
   const Vec3 side = std::abs(direction.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
   across = (side - side.dot(direction) * direction).normalized();
 }
@@ -296,7 +296,7 @@ Experiment parse_experiment(std::string_view document, const std::string& origin
                           place));
   }
   experiment.motion = motion_from(motion, origin);
-  if (root.child("needle") == nullptr && !in_patient) {  // no hub stops a needle of which nothing is said
+  if (root.child("needle") == nullptr && !in_patient) {  // a needle without a stated length has no hub stop
     for (const ExperimentPlace& place : experiment.motion.places)
       experiment.needle.length = std::max(experiment.needle.length, place.depth + 1.0);
   }

@@ -14,13 +14,12 @@ namespace bodkin::io {
 
 class XmlSchema;
 
-// A needle experiment as its file describes it: what is pierced, with what, how the needle moves, what is drawn, and
-// what was published (docs/figures.md describes the format). The needle enters at the origin of depth; depth runs
-// inwards.
+// A needle experiment as described by its file: the body, the needle, its motion, the plots, and the published
+// numbers (docs/figures.md describes the format). The needle enters at the origin of depth; depth runs inwards.
 
 // A stack of plane layers with the skin at z = 0 and depth along +z, or a half ball, its pole at the origin, with
-// layers as shells from outside to inside; what is left in the middle is made of the last layer. Or a patient: a case
-// folder, whose motion runs along a path with depth counted from the skin.
+// layers as shells from outside to inside and its middle made of the last layer. Or a patient: a case folder, whose
+// motion runs along a path with depth counted from the skin.
 struct ExperimentLayer {
   std::string tissue;
   double thickness = 0.0;  // mm
@@ -33,10 +32,10 @@ struct ExperimentBody {
   double mesh = 5.0;    // mm, longest edge along each axis of a stack's mesh, for resistances that need one
   std::vector<ExperimentLayer> layers;
   std::filesystem::path patient;      // the case's folder; empty for a stack or a half ball
-  std::optional<Vec3> entry, target;  // LPS mm, of a patient; the planned path where absent
+  std::optional<Vec3> entry, target;  // LPS mm, of a patient; the planned path if absent
 };
 
-// Where the needle is at a time; between two of them it moves evenly. All are measured from `entry` along
+// The position of the needle at a time; it moves uniformly between two of them. All are relative to `entry` along
 // `direction`.
 struct ExperimentPlace {
   double time = 0.0;   // s
@@ -47,16 +46,16 @@ struct ExperimentPlace {
 struct ExperimentMotion {
   Vec3 entry = Vec3::Zero();            // mm
   Vec3 direction = Vec3::UnitZ();       // unit
-  Vec3 across = Vec3::UnitX();          // unit; where `aside` points
-  bool tilt_about_tip = false;          // else about the entry
+  Vec3 across = Vec3::UnitX();          // unit; direction of `aside`
+  bool tilt_about_tip = false;          // otherwise about the entry
   std::vector<ExperimentPlace> places;  // times rise from 0
 
-  // `entry`, `direction` (of any length) and what is across it.
+  // Sets `entry`, `direction` (of any length) and the lateral axis.
   void lay_along(const Vec3& from, const Vec3& towards);
 };
 
-// What can be drawn and compared, one number a tick. Forces and torques as the models ask for them, before the
-// governor, on the hand; `applied` is what leaves the governor.
+// The quantities that can be drawn and compared, one number per tick. Forces and torques are those requested by the
+// models, before the governor, on the hand; `applied` is the force after the governor.
 enum class Quantity : std::uint8_t {
   time,
   depth,
@@ -85,8 +84,8 @@ enum class Quantity : std::uint8_t {
   proxy_z
 };
 struct QuantityName {
-  std::string_view name;   // as experiment files write it, with its unit
-  std::string_view label;  // as people read it
+  std::string_view name;   // in experiment files, with its unit
+  std::string_view label;  // for people
 };
 inline constexpr std::array<QuantityName, 25> quantity_names = {{{"time_s", "time, s"},
                                                                  {"depth_mm", "depth, mm"},
@@ -114,7 +113,7 @@ inline constexpr std::array<QuantityName, 25> quantity_names = {{{"time_s", "tim
                                                                  {"proxy_y_mm", "proxy y, mm"},
                                                                  {"proxy_z_mm", "proxy z, mm"}}};
 
-// A part of an experiment: ticks at which both hold.
+// A part of an experiment: ticks that satisfy both conditions.
 struct ExperimentWindow {
   std::optional<double> time_from, time_to;    // s
   std::optional<double> depth_from, depth_to;  // mm
@@ -130,36 +129,36 @@ struct ExperimentPanel {
   std::string title;
   Quantity x = Quantity::time;
   std::string x_label, y_label, right_label;  // empty: that of the first curve there
-  ExperimentWindow window;                    // what of the experiment is drawn
+  ExperimentWindow window;                    // the part of the experiment to be drawn
   double height = 260.0;                      // px
   bool down = false;                          // the y axis points down, as depth does
   bool tissues = false;                       // bands of the tissues at the tip
   std::vector<ExperimentCurve> curves;
 };
 
-enum class Take : std::uint8_t { mean, highest, lowest, first, last };
-// A published number and where in the experiment it should come out.
+enum class Aggregation : std::uint8_t { mean, highest, lowest, first, last };
+// A published number and the part of the experiment to which it applies.
 struct PublishedValue {
   std::string what;    // "force in the layer"
   std::string source;  // "section 3.1"
   Quantity quantity = Quantity::resistance;
-  Take take = Take::mean;
+  Aggregation aggregation = Aggregation::mean;
   ExperimentWindow window;
   double value = 0.0;      // in the quantity's unit
-  double tolerance = 0.0;  // within which it agrees
+  double tolerance = 0.0;  // for agreement
 };
 
-// What a reader must know of the figure, each one paragraph.
+// Information on the figure for readers, each one paragraph.
 struct ExperimentCaption {
   std::string reproduces, parameters, agrees, differs;
 };
 
 struct Experiment {
-  std::string name;  // file names are made from it
+  std::string name;  // used for file names
   std::string title;
   std::string paper;  // the publication, empty for an experiment of one's own
   ExperimentCaption caption;
-  anatomy::TissueLibrary library;  // the library that comes with Bodkin, changed as the experiment says
+  anatomy::TissueLibrary library;  // the library that comes with Bodkin, with the experiment's changes
   ExperimentBody body;
   anatomy::Needle needle;
   anatomy::DeviceLimits device;
@@ -167,13 +166,13 @@ struct Experiment {
   ExperimentMotion motion;
   std::vector<ExperimentPanel> panels;
   std::vector<PublishedValue> values;
-  std::optional<anatomy::Case> patient;  // of a body that is a patient, once it is loaded (study/experiment.h)
+  std::optional<anatomy::Case> patient;  // of a body that is a patient, after loading (study/experiment.h)
 };
 
-// Reads an experiment from text in memory; `origin` names it in messages, and folders of patients are sought from its
-// folder on. Of a patient the description and the tissue library are read, not the volumes; needle, device and
-// haptics that the file does not have are the patient's. Throws InputError naming file, line, what was found and what
-// was expected.
+// Reads an experiment from text in memory; `origin` names it in messages, and folders of patients are relative to its
+// folder. For a patient only the description and the tissue library are read, not the volumes; needle, device and
+// haptics missing in the file are the patient's. Throws InputError naming file, line, what was found and what was
+// expected.
 Experiment parse_experiment(std::string_view document, const std::string& origin);
 Experiment read_experiment(const std::filesystem::path& file);
 

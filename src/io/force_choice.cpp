@@ -28,7 +28,7 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
   }
 }
 
-// Something that can be the name of an element or attribute.
+// A valid name of an element or attribute.
 bool is_name(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   return !text.empty() && letter(text.front()) &&
@@ -66,7 +66,7 @@ void open_element(XmlWriter& xml, const std::string& text, const std::string& or
   }
 }
 
-// The element of a text: what comes after semicolons lies inside the first.
+// The element of a text: parts after semicolons lie inside the first.
 void write_element(XmlWriter& xml, std::string_view text, const auto& names, const char* what,
                    const std::string& origin) {
   const std::vector<std::string> elements = split(text, ";");
@@ -83,7 +83,7 @@ void write_element(XmlWriter& xml, std::string_view text, const auto& names, con
   xml.close();
 }
 
-// Reads what `write` puts into the element `role` of <haptics>.
+// Reads the contents that `write` puts into the element `role` of <haptics>.
 anatomy::HapticSettings read_role(const char* role, const std::string& origin, const auto& write) {
   XmlWriter xml;
   xml.open("haptics");

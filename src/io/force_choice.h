@@ -17,8 +17,8 @@ namespace bodkin::io {
 // Force models as people type them: a name and settings, with the names, units, ranges and defaults of case files.
 //   tracking_wall catch_up_s=0.3 leash=true
 //   tracking_wall; layer from_mm=0 force_N=1.5; layer from_mm=4 force_N=0.4     elements inside, after semicolons
-// The text becomes the element of a case file and is read against the same schema. `origin` names it in messages.
-// Throw InputError naming the setting, what was found and what was expected.
+// The text is converted to the element of a case file and validated against the same schema. `origin` names it in
+// messages. Throw InputError naming the setting, what was found and what was expected.
 
 anatomy::ResistanceSettings parse_resistance(std::string_view text, const std::string& origin);
 
@@ -28,7 +28,7 @@ inline constexpr auto part_names =
     std::apply([](const auto&... part) { return std::array<std::string_view, sizeof...(part)>{part.name...}; },
                anatomy::ForceParts::parameters());
 
-// One text for each part; "none" alone means no parts.
+// One text for each part; a single "none" means no parts.
 anatomy::ForceParts parse_parts(const std::vector<std::string>& texts, const std::string& origin);
 
 // Settings as texts that the functions above read back to the same bits.

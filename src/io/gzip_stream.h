@@ -10,7 +10,7 @@ struct CloseGzip {
   void operator()(gzFile_s* file) const { gzclose(file); }
 };
 
-// A gzip stream, closed at the end of its life. Null when it could not be opened.
+// A gzip stream that closes itself. Null when it could not be opened.
 using GzipStream = std::unique_ptr<gzFile_s, CloseGzip>;
 
 }  // namespace bodkin::io

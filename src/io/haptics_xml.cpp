@@ -12,28 +12,20 @@ namespace bodkin::io {
 
 namespace {
 
-constexpr double shortest_up = 1e-6;      // a shorter vector has no direction worth the name
-constexpr double unit_tolerance = 1e-12;  // closer to 1 is a unit vector already, and stays what it is
+constexpr double shortest_up = 1e-6;      // a shorter vector has no meaningful direction
+constexpr double unit_tolerance = 1e-12;  // closer to 1 is a unit vector already, and is not changed
 
-// The alternative of a variant that bears the element's name.
-template <typename Models>
-Models model_from(const XmlElement& parent, const std::string& origin, const auto& names) {
-  const XmlElement& element = parent.children.front();
-  Models models;
-  const auto attempt = [&]<std::size_t I>() {
-    using Settings = std::variant_alternative_t<I, Models>;
-    if (names[I] != element.name) return;
-    if constexpr (std::is_same_v<Settings, anatomy::RegisteredSettings>) {
-      models.template emplace<I>(anatomy::registered_from(tree_of(element)));
-    } else {
-      models.template emplace<I>(settings_from<Settings>(element, origin));
-    }
+// The alternative of a variant with the element's name.
+template <typename... Models>
+void read_model(std::variant<Models...>& model, const XmlElement& element, const std::string& origin) {
+  const auto attempt = [&]<typename Settings>(Settings* /*of*/) {
+    if (Settings::element != element.name) return;
+    if constexpr (std::is_same_v<Settings, anatomy::RegisteredSettings>)
+      model = Settings(anatomy::registered_from(tree_of(element)));
+    else
+      model = settings_from<Settings>(element, origin);
   };
-  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-    (attempt.template operator()<Index>(), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<Models>>());
-  return models;
+  (attempt(static_cast<Models*>(nullptr)), ...);
 }
 
 anatomy::GravitySettings compensation_from(const XmlElement& element, const std::string& origin) {
@@ -60,9 +52,9 @@ anatomy::HapticSettings read_haptics(const XmlElement& element, const std::strin
   if (const std::string* in_organs = element.find("force_in_organs"); in_organs != nullptr)
     parse_value(*in_organs, haptics.force_in_organs);
   if (const XmlElement* resistance = element.child("resistance"); resistance != nullptr)
-    haptics.resistance = model_from<anatomy::ResistanceSettings>(*resistance, origin, anatomy::resistance_names);
+    read_model(haptics.resistance, resistance->children.front(), origin);
   if (const XmlElement* constraint = element.child("constraint"); constraint != nullptr)
-    haptics.constraint = model_from<anatomy::ConstraintSettings>(*constraint, origin, anatomy::constraint_names);
+    read_model(haptics.constraint, constraint->children.front(), origin);
   if (const XmlElement* parts = element.child("parts"); parts != nullptr)
     haptics.parts = settings_from<anatomy::ForceParts>(*parts, origin);
   if (const XmlElement* compensation = element.child("compensation"); compensation != nullptr)

@@ -23,8 +23,8 @@ using nlohmann::json;
 
 const WorkerProgram image_program{"bodkin-images", "BODKIN_IMAGES_WORKER", "BODKIN_IMAGES"};
 
-// Of the worker. The largest import (a 512-million-voxel CT) needs less address space; what a file's own bytes
-// justify is checked inside, before memory is taken.
+// For the worker. The largest import (a 512-million-voxel CT) needs less address space; the limit justified by a
+// file's size is checked inside, before memory is allocated.
 ChildLimits limits() {
   ChildLimits result;
 #ifndef BODKIN_ADDRESS_SANITIZER  // its shadow memory alone is larger
@@ -33,8 +33,8 @@ ChildLimits limits() {
   return result;
 }
 
-// The sentence for a worker that ended without one of its own.
-std::string obituary(const ChildResult& child, const std::string& subject) {
+// The message for a worker that ended without one.
+std::string child_failure(const ChildResult& child, const std::string& subject) {
   std::error_code ignored;
   const bool is_folder = std::filesystem::is_directory(subject, ignored);
   switch (child.end) {
@@ -47,11 +47,11 @@ std::string obituary(const ChildResult& child, const std::string& subject) {
     case ChildEnd::exited:
       break;
   }
-  return fmt::format("{}: the imaging library gave up on this without a word (exit code {}); it is damaged", subject,
+  return fmt::format("{}: the imaging library ended on this without a message (exit code {}); it is damaged", subject,
                      child.exit_code);
 }
 
-// What a worker that died was building is no use to anyone.
+// The incomplete output of a dead worker is useless.
 void clear_away(const json& request, pid_t worker) {
   if (!request.contains("folder")) return;
   std::error_code ignored;
@@ -60,24 +60,24 @@ void clear_away(const json& request, pid_t worker) {
 
 WorkerReport run_reader(const std::string& verb, const std::string& arguments, const std::string& subject,
                         const Progress& progress, int inherited) {
-  const DeferredTermination deferred;  // ends this process, if it is to end, once everything is cleared away
-  const WorkerTalk talk = run_worker(image_program, verb, arguments, inherited, limits(), progress);
-  if (talk.succeeded()) return {talk.notes, talk.result};
-  clear_away(json::parse(arguments, nullptr, false), talk.child.pid);
-  remove_temporary_folders(talk.child.pid);
-  if (talk.child.end == ChildEnd::interrupted) throw SystemError("interrupted; nothing was made");
-  if (talk.error.empty()) throw InputError(obituary(talk.child, subject));
-  if (talk.kind == "memory") {
+  const DeferredTermination deferred;  // ends this process, if a signal asked for it, once everything is removed
+  const WorkerOutput output = run_worker(image_program, verb, arguments, inherited, limits(), progress);
+  if (output.succeeded()) return {output.notes, output.result};
+  clear_away(json::parse(arguments, nullptr, false), output.child.pid);
+  remove_temporary_folders(output.child.pid);
+  if (output.child.end == ChildEnd::interrupted) throw SystemError("interrupted; nothing was made");
+  if (output.error.empty()) throw InputError(child_failure(output.child, subject));
+  if (output.kind == "memory") {
     throw InputError(
         fmt::format("{}: this needs more memory than Bodkin gives to reading an image; it is damaged, or so "
                     "large that it must be cropped first",
                     subject));
   }
-  if (talk.kind == "system") throw SystemError(talk.error);
-  throw InputError(talk.error);
+  if (output.kind == "system") throw SystemError(output.error);
+  throw InputError(output.error);
 }
 
-// The worker read a foreign file: what it says of the grid is checked like the file itself.
+// The worker read a foreign file: its statements about the grid are checked like the file itself.
 std::optional<anatomy::Grid> grid_from(const json& value) {
   anatomy::Grid grid;
   const std::vector<double> numbers = value.value("numbers", std::vector<double>{});

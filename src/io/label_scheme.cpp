@@ -83,7 +83,7 @@ std::string joined(const std::vector<std::string>& fields) {
   return text;
 }
 
-// A table of ids and names alone, as TotalSegmentator writes it: what a name is made of is known by its name. Other
+// A table with only ids and names, as written by TotalSegmentator: the name implies the tissue. Tissues of other
 // names are decided by HU.
 std::vector<anatomy::Structure> parse_named_labels(const std::vector<CsvRow>& rows, const std::string& origin,
                                                    const anatomy::TissueLibrary& library) {

@@ -23,7 +23,7 @@ namespace {
 // Of a gzip stream (RFC 1952), bytes: head and tail; the tail ends with the unpacked length modulo 2^32.
 constexpr std::size_t gzip_frame = 18;
 constexpr std::size_t gzip_length = 4;
-// A deflate stream (RFC 1951) unpacks to at most so many times its length: 258 bytes from two bits.
+// A deflate stream (RFC 1951) decompresses to at most this many times its length: 258 bytes from two bits.
 constexpr double most_inflation = 1032.0;
 // Voxels that cannot be packed are stored, with 5 bytes for each block; a block of zlib holds at least 4 kB.
 constexpr double most_growth = 1.002;
@@ -37,7 +37,7 @@ struct FreeDecompressor {
   throw InputError(fmt::format("{}: the packed voxels {}; restore the file or make the case again", name, fault));
 }
 
-// The bytes of an open file from where it stands, `size` of them.
+// The next `size` bytes of an open file.
 std::vector<std::uint8_t> read_bytes(std::ifstream& stream, std::size_t size, const std::string& name) {
   std::vector<std::uint8_t> bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> read_bytes(std::ifstream& stream, std::size_t size, co
   return bytes;
 }
 
-// The length of the packed voxels must be one that `unpacked` bytes can have, and name that length itself.
+// The compressed length must be possible for `unpacked` bytes, and the stream must state that number.
 void require_packed_length(const std::uint8_t* tail, std::size_t packed, std::size_t unpacked,
                            const std::string& name) {
   const auto length = static_cast<double>(unpacked);
@@ -90,8 +90,8 @@ void unpack(std::span<const std::uint8_t> packed, std::vector<Voxel>& voxels, co
   if (read != packed.size()) refuse_packed(name, "are followed by other bytes");
 }
 
-// The grid that a header declares, after everything that it claims has agreed with the `packed_length` bytes behind
-// it, of which `tail` are the last ones.
+// The grid declared by a header, after checking all its claims against the `packed_length` bytes behind it, the last
+// of which are `tail`.
 anatomy::Grid checked_grid(const NrrdHeader& header, std::size_t voxel_bytes, std::size_t packed_length,
                            const std::uint8_t* tail, const std::string& name) {
   require_plausible_size(name, {header.size.begin(), header.size.end()}, voxel_bytes,
@@ -120,7 +120,7 @@ std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& fil
   const std::optional<ParsedNrrdHeader> parsed = header_in<Voxel>(head);
   if (!parsed) return std::nullopt;
 
-  // Everything that the header claims is checked before memory is taken for it.
+  // All of the header's claims are checked before memory is allocated.
   stream.clear();
   stream.seekg(0, std::ios::end);
   const std::size_t length = static_cast<std::size_t>(stream.tellg());

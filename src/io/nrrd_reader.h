@@ -10,17 +10,18 @@
 
 namespace bodkin::io {
 
-// Reads a volume that write_nrrd() wrote, in this process and without an imaging library: the header must be Bodkin's
-// own to the letter, its size must agree with the packed bytes before memory is taken (at most the voxels and the
-// file together), and the packed voxels must have their length and their checksum. The grid is to the bit the one
-// that the image worker reads from the same file.
+// Reads a volume written by write_nrrd(), in this process and without an imaging library: the header must be exactly
+// Bodkin's own, its size must agree with the packed bytes before memory is allocated (at most the voxels and the file
+// together), and the packed voxels must have the right length and checksum. The grid is to the bit the one that the
+// image worker reads from the same file.
 //
-// Nothing: the file is not of this form, or holds voxels of another type; the image worker reads such a file. Throws
-// InputError, one sentence that names the file, when it is of this form but truncated or damaged, or cannot be read.
+// Empty: the file does not have this form, or contains voxels of another type; the image worker reads such a file.
+// Throws InputError, one sentence that names the file, when it has this form but is truncated or damaged, or cannot
+// be read.
 template <typename Voxel>
 std::optional<anatomy::Volume<Voxel>> read_nrrd(const std::filesystem::path& file);
 
-// The same for the content of such a file, as nrrd_bytes() makes it. `name` begins every message.
+// As above, for the content of such a file, from nrrd_bytes(). `name` is the prefix of every message.
 template <typename Voxel>
 std::optional<anatomy::Volume<Voxel>> parse_nrrd(std::span<const std::uint8_t> bytes, const std::string& name);
 

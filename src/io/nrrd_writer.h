@@ -14,7 +14,7 @@ namespace bodkin::io {
 template <typename Voxel>
 void write_nrrd(const anatomy::Volume<Voxel>& volume, const std::filesystem::path& file);
 
-// The content of such a file: the same header, the voxels packed faster and less well.
+// The content of such a file: the same header, with faster but weaker compression.
 template <typename Voxel>
 std::vector<std::uint8_t> nrrd_bytes(const anatomy::Volume<Voxel>& volume);
 

@@ -62,7 +62,7 @@ PartialFolder::PartialFolder(const fs::path& final, bool overwrite)
       throw InputError(fmt::format(
           "{}: this is already there; choose another folder, or say --overwrite to replace it", final.string()));
     }
-    // Nothing but a case is ever deleted, whatever a user's slip of the finger names.
+    // Only a case is ever deleted, whatever a mistyped name refers to.
     if (!fs::is_directory(fs::symlink_status(final_)) || !fs::exists(final_ / "case.xml")) {
       throw InputError(
           fmt::format("{}: --overwrite replaces only a case folder, and this has no case.xml", final.string()));

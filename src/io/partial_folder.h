@@ -6,19 +6,19 @@
 
 namespace bodkin::io {
 
-// A folder in the making. It is built next to its final place under the name `final.partial-PID` and appears there in
-// one step, by renaming, so that no half-written folder is ever visible. What is not finished is removed.
+// A folder under construction. It is built next to its final place under the name `final.partial-PID` and appears
+// there in one step, by renaming, so that no incomplete folder is ever visible. An unfinished one is removed.
 class PartialFolder {
  public:
-  // Refuses (InputError) when `final` exists and may not be replaced, is no case folder, or has no parent folder.
-  // Removes what programs that no longer run have left behind.
+  // Throws InputError when `final` exists and may not be replaced, is not a case folder, or has no parent folder.
+  // Removes the remains of programs that no longer run.
   PartialFolder(const std::filesystem::path& final, bool overwrite);
   ~PartialFolder();
   PartialFolder(const PartialFolder&) = delete;
   PartialFolder& operator=(const PartialFolder&) = delete;
 
   const std::filesystem::path& path() const { return partial_; }
-  // Moves the folder to its final place, replacing what was there. Throws SystemError.
+  // Moves the folder to its final place, replacing an existing one. Throws SystemError.
   void finish();
 
  private:

@@ -30,7 +30,7 @@ Placement read_placement(const std::filesystem::path& file) {
   const nlohmann::json json = nlohmann::json::parse(read_text_file(file, most_bytes), nullptr, false);
   if (!json.is_object()) {
     throw InputError(fmt::format(
-        "{}: this is no JSON object, expected a registration that 'bodkin register -o' wrote", file.string()));
+        "{}: this is not a JSON object, expected a registration that 'bodkin register -o' wrote", file.string()));
   }
   const auto matrix = json.find("fixed_from_moving");
   Eigen::Matrix4d numbers = Eigen::Matrix4d::Constant(NAN);
@@ -44,10 +44,10 @@ Placement read_placement(const std::filesystem::path& file) {
   const Mat3 turn = numbers.topLeftCorner<3, 3>();
   if (!numbers.allFinite() || !(turn.transpose() * turn).isIdentity(tolerance) || turn.determinant() < 0.0 ||
       numbers.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0)) {
-    throw InputError(fmt::format(
-        "{}: \"fixed_from_moving\" is no rigid placement, expected 16 numbers, a 4 x 4 matrix row by row in "
-        "mm, as 'bodkin register -o' writes it",
-        file.string()));
+    throw InputError(
+        fmt::format("{}: \"fixed_from_moving\" is not a rigid placement, expected 16 numbers, a 4 x 4 matrix row by "
+                    "row in mm, as 'bodkin register -o' writes it",
+                    file.string()));
   }
   Placement placement;
   placement.pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();

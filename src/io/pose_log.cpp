@@ -16,7 +16,7 @@ namespace bodkin::io {
 
 namespace {
 
-// The frames of "NeedleTipToReference". The last "To" with a capital after it divides: frames' names have none.
+// The frames of "NeedleTipToReference". The last "To" before a capital is the separator: frames' names contain none.
 std::optional<std::pair<std::string, std::string>> frames_of(const std::string& name) {
   for (std::size_t at = name.rfind("To"); at != std::string::npos && at > 0; at = name.rfind("To", at - 1)) {
     if (at + 2 < name.size() && name[at + 2] >= 'A' && name[at + 2] <= 'Z')
@@ -36,15 +36,15 @@ Pose pose_at(const TrackStep& step, double time) {
   return step.backwards ? pose.inverse() : pose;
 }
 
-// The fewest tracks that lead from one frame to the other.
+// The shortest chain of tracks from one frame to the other.
 std::vector<TrackStep> steps_between(const PoseLog& log, const std::string& from, const std::string& to) {
-  struct Reached {
+  struct Visited {
     std::string before;
     TrackStep step;
   };
-  std::map<std::string, Reached> reached = {{from, {}}};
+  std::map<std::string, Visited> visited = {{from, {}}};
   std::deque<std::string> next = {from};
-  while (!next.empty() && !reached.contains(to)) {
+  while (!next.empty() && !visited.contains(to)) {
     const std::string here = next.front();
     next.pop_front();
     for (const PoseTrack& track : log.tracks) {
@@ -53,14 +53,14 @@ std::vector<TrackStep> steps_between(const PoseLog& log, const std::string& from
       for (const bool backwards : {false, true}) {
         const std::string& begin = backwards ? frames->second : frames->first;
         const std::string& end = backwards ? frames->first : frames->second;
-        if (begin == here && reached.try_emplace(end, Reached{here, {&track, backwards}}).second) next.push_back(end);
+        if (begin == here && visited.try_emplace(end, Visited{here, {&track, backwards}}).second) next.push_back(end);
       }
     }
   }
   std::vector<TrackStep> steps;
-  if (!reached.contains(to)) return steps;
-  for (std::string frame = to; frame != from; frame = reached.at(frame).before)
-    steps.push_back(reached.at(frame).step);
+  if (!visited.contains(to)) return steps;
+  for (std::string frame = to; frame != from; frame = visited.at(frame).before)
+    steps.push_back(visited.at(frame).step);
   std::reverse(steps.begin(), steps.end());
   return steps;
 }

@@ -26,10 +26,9 @@ Pose pose_of_numbers(std::string_view text, const std::string& where) {
   const Mat3 turn = pose.linear();
   if (!((turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() <= 2.0 * most_skew) ||
       turn.determinant() < 0.0) {
-    throw InputError(
-        fmt::format("{}: the transform {} is no rotation and translation; expected one without scale, "
-                    "shear or mirror",
-                    where, in_quotes(line)));
+    throw InputError(fmt::format(
+        "{}: the transform {} is not a rotation and translation; expected one without scale, shear or mirror", where,
+        in_quotes(line)));
   }
   pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
   return pose;

@@ -8,14 +8,14 @@
 
 namespace bodkin::io {
 
-// The text of 16 numbers row by row as a pose, its rotation made one to the last bit. Throws InputError, beginning
-// with `where`, for anything else and for a matrix that scales, shears or mirrors by more than 1 %.
+// The text of 16 numbers row by row as a pose, normalised to an exact rotation. Throws InputError, beginning with
+// `where`, for anything else and for a matrix that scales, shears or mirrors by more than 1 %.
 Pose pose_of_numbers(std::string_view text, const std::string& where);
 
 // 16 numbers, row by row.
 std::string numbers_of_pose(const Pose& pose);
 
-// Puts a log's poses into order; of two at one time the later one in the file stays.
+// Sorts a log's poses by time; of two at one time the later one in the file is kept.
 void sort_by_time(PoseLog& log);
 
 }  // namespace bodkin::io

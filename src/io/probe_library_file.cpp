@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t largest_probe_library = 4 << 20;  // bytes
 
-// Names differ in more than capitals.
+// Names must differ in more than case.
 std::string small_letters(std::string_view name) {
   std::string small(name);
   for (char& letter : small) {

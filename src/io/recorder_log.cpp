@@ -22,7 +22,7 @@ double time_of_entry(const XmlElement& entry, const std::string& where) {
   throw InputError(fmt::format("{}: the time is not finite, expected seconds and nanoseconds", where));
 }
 
-// An entry of the log, which stands at its time.
+// An entry of the log at its time.
 struct LogEntry {
   double time = 0.0;
   const std::string* name = nullptr;  // null: a message

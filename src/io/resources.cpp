@@ -38,7 +38,7 @@ std::string read_text_file(const fs::path& file, std::size_t limit) {
   if (!fs::is_regular_file(status)) throw InputError(fmt::format("{}: this is not a file", file.string()));
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw InputError(fmt::format("{}: the file cannot be opened for reading", file.string()));
-  // Read to the end rather than trust the size, which a file in /proc or a growing file does not report.
+  // Reads to the end instead of trusting the size, which is wrong for a file in /proc or a growing file.
   std::string text;
   char block[65536];
   while (text.size() <= limit && (stream.read(block, sizeof block), stream.gcount() > 0)) {

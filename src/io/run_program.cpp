@@ -16,7 +16,7 @@ namespace bodkin::io {
 
 namespace {
 
-// A nameless file in memory. With files instead of pipes neither side can block on the other or die of a broken pipe.
+// A nameless file in memory. With files instead of pipes neither side can block or get a broken pipe.
 class MemoryFile {
  public:
   explicit MemoryFile(const char* name) : descriptor_(memfd_create(name, MFD_CLOEXEC)) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view frame_prefix = "Seq_Frame", transform_ending = "Transform";
 constexpr double nearest = 0.1;  // s, to a pose of another tool
 
-// What the header says of one frame.
+// The header's data of one frame.
 struct SequenceFrame {
   std::optional<double> time;
   std::map<std::string, Pose, std::less<>> poses;
@@ -54,7 +54,7 @@ PoseLog parse_sequence_poses(std::string_view header, const std::string& origin)
   const bool is_nrrd = header.starts_with("NRRD");
   if (!is_nrrd && !header.starts_with("ObjectType")) {
     throw InputError(fmt::format(
-        "{}: this is no sequence of PLUS; expected .igs.mha, .igs.nrrd or a recorder log in XML", origin));
+        "{}: this is not a sequence of PLUS; expected .igs.mha, .igs.nrrd or a recorder log in XML", origin));
   }
   const std::string_view sign = is_nrrd ? ":=" : "=";
   std::map<std::uint32_t, SequenceFrame> frames;
@@ -93,7 +93,7 @@ PoseLog parse_sequence_poses(std::string_view header, const std::string& origin)
 
 std::string sequence_of_poses(const PoseLog& log) {
   if (log.tracks.empty() || log.tracks.front().poses.empty())
-    throw InputError("there is no pose for a sequence, expected one at least");
+    throw InputError("there is no pose for a sequence, expected at least one");
   const std::vector<TimedPose>& times = log.tracks.front().poses;
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) { text += name + " = " + value + "\n"; };

@@ -6,11 +6,11 @@
 
 namespace bodkin::io {
 
-// Settings in XML: values are attributes, what lies inside are elements.
+// Settings in XML: values are attributes, members with members of their own are elements.
 
 SettingsTree tree_of(const XmlElement& element);
 
-// One element with all inside.
+// Writes one element with its children.
 void write_settings(XmlWriter& xml, const SettingsTree& tree);
 
 // An element that its schema has accepted. Throws InputError for relations between values that no schema can state.

@@ -4,7 +4,7 @@
 
 namespace bodkin::io {
 
-// A nameless file in memory that this process and a worker fill for each other. Throws SystemError when memory is
+// An unnamed file in memory through which this process and a worker exchange data. Throws SystemError when memory is
 // short.
 class SharedMemory {
  public:

@@ -29,7 +29,7 @@ pid_t owner_of(const std::string& name) {
   return error == std::errc() && end != last && *end == '-' && last - end == 7 ? owner : 0;
 }
 
-// Removes the folders whose owner `ended` tells to have ended.
+// Removes the folders whose owner has ended according to `ended`.
 template <typename Ended>
 void remove_where(const Ended& ended) {
   std::error_code error;

@@ -6,9 +6,8 @@
 
 namespace bodkin::io {
 
-// An empty folder of this process in the system's temporary folder, removed at the end of its life. Its name holds
-// the number of the process, so that what a killed process left can be told: making one removes what processes that
-// no longer run have left behind.
+// An empty folder of this process in the system's temporary folder, removed at the end of its life. Its name contains
+// the number of the process: creating one removes the folders of processes that no longer run.
 class TemporaryFolder {
  public:
   TemporaryFolder();  // throws SystemError

@@ -13,8 +13,8 @@ std::size_t character_length(std::string_view text, std::size_t position) noexce
 // The text with every byte that is not part of such a character replaced by U+FFFD.
 std::string valid_text(std::string_view text);
 
-// The first 60 bytes, with a question mark for every one that is not printable ASCII: what a message quotes from a
-// damaged file must not spoil a terminal.
+// The first 60 bytes, with a question mark for every one that is not printable ASCII: a quotation from a damaged file
+// must not corrupt a terminal.
 std::string printable(std::string_view text);
 
 }  // namespace bodkin::io

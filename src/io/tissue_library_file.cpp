@@ -90,7 +90,7 @@ std::string tissue_library_xml(const anatomy::TissueLibrary& library) {
     xml.attribute("hounsfield_noise_HU", tissue.hounsfield_noise);
     for_each_inside(
         [&xml](const auto& model, const auto& properties, const auto& absent) {
-          // A model that has nothing to say of a tissue has no element; that of `layered` must be there.
+          // A model without values for a tissue has no element; that of `layered` is required.
           if (model.name == "layered" || !same_parameters(properties, absent))
             write_settings(xml, settings_tree(std::string(model.name), properties));
         },

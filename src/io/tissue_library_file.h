@@ -11,16 +11,16 @@ namespace bodkin::io {
 class XmlSchema;
 struct XmlElement;
 
-// Reads a tissue library (share/bodkin/tissues.xml has the format and the defaults with their sources). Throws
+// Reads a tissue library (share/bodkin/tissues.xml shows the format and the defaults with their sources). Throws
 // InputError naming file, line, attribute, what was found and what was expected.
 anatomy::TissueLibrary read_tissue_library(const std::filesystem::path& file);
 
-// The same from a document already in memory; `origin` names it in messages and `schema` is tissues.xsd.
+// As above, from a document in memory; `origin` names it in messages and `schema` is tissues.xsd.
 anatomy::TissueLibrary parse_tissue_library(std::string_view document, const std::string& origin,
                                             const XmlSchema& schema);
 
-// Takes the force parameters that are children of `element` (the types of tissue_forces.xsd) into `entry`; models
-// without an element keep what they have. Throws InputError where one value does not go with another.
+// Reads the force parameters that are children of `element` (the types of tissue_forces.xsd) into `entry`; models
+// without an element are not changed. Throws InputError for incompatible values.
 void read_tissue_forces(const XmlElement& element, const std::string& origin, anatomy::TissueProperties& entry);
 
 // The library as such a file; read_tissue_library() gives the same bits back.

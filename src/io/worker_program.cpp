@@ -14,18 +14,18 @@ namespace {
 
 using nlohmann::json;
 
-void hear(std::string_view line, WorkerTalk& talk, const Progress& progress) {
+void parse_message(std::string_view line, WorkerOutput& output, const Progress& progress) {
   const json message = json::parse(line, nullptr, false);
   if (!message.is_object()) return;  // a library that talks to standard output
   if (message.contains("progress") && progress) {
     progress(message.value("progress", ""), std::clamp(message.value("fraction", 0.0), 0.0, 1.0));
   }
-  if (message.contains("note")) talk.notes.push_back(message.value("note", ""));
+  if (message.contains("note")) output.notes.push_back(message.value("note", ""));
   if (message.contains("error")) {
-    talk.error = message.value("error", "");
-    talk.kind = message.value("kind", "input");
+    output.error = message.value("error", "");
+    output.kind = message.value("kind", "input");
   }
-  if (message.contains("result")) talk.result = message["result"].dump();
+  if (message.contains("result")) output.result = message["result"].dump();
 }
 
 }  // namespace
@@ -46,12 +46,12 @@ std::filesystem::path find_worker(const WorkerProgram& program) {
       program.name, next_to_program.string(), installed.string(), program.option, program.variable));
 }
 
-WorkerTalk run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,
-                      int inherited, const ChildLimits& limits, const Progress& progress) {
-  WorkerTalk talk;
-  talk.child = run_child(find_worker(program), {verb}, arguments, inherited, limits,
-                         [&](std::string_view line) { hear(line, talk, progress); });
-  return talk;
+WorkerOutput run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,
+                        int inherited, const ChildLimits& limits, const Progress& progress) {
+  WorkerOutput output;
+  output.child = run_child(find_worker(program), {verb}, arguments, inherited, limits,
+                           [&](std::string_view line) { parse_message(line, output, progress); });
+  return output;
 }
 
 }  // namespace bodkin::io

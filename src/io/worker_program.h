@@ -9,32 +9,31 @@
 
 namespace bodkin::io {
 
-// A program of its own that does work which must not happen in this process. It is asked with one JSON object on
-// standard input and says one JSON object per line: {"progress", "fraction"}, {"note"}, {"error", "kind"},
-// {"result"}.
+// A separate program for work that must not happen in this process. It receives one JSON object on standard input and
+// writes one JSON object per line: {"progress", "fraction"}, {"note"}, {"error", "kind"}, {"result"}.
 struct WorkerProgram {
   std::string name;      // "bodkin-images"
-  std::string variable;  // environment variable that may name its file
+  std::string variable;  // environment variable that may state its path
   std::string option;    // CMake option that builds it
 };
 
-// What a worker said until it ended.
-struct WorkerTalk {
-  std::vector<std::string> notes;  // what was repaired or assumed, one sentence each
-  std::string result;              // JSON; empty: there was none
-  std::string error, kind;         // its own sentence; kind is "input", "memory" or "system"
+// The complete output of a worker.
+struct WorkerOutput {
+  std::vector<std::string> notes;  // repairs and assumptions, one sentence each
+  std::string result;              // JSON; empty: none
+  std::string error, kind;         // its own message; kind is "input", "memory" or "system"
   ChildResult child;
 
   bool succeeded() const { return child.end == ChildEnd::exited && child.exit_code == 0 && !result.empty(); }
 };
 
-// The worker's file: the one that the environment names, else next to this program or where Bodkin was installed.
+// The worker's file: the one stated in the environment, else next to this program or where Bodkin was installed.
 // Throws SystemError when it is in none of these places.
 std::filesystem::path find_worker(const WorkerProgram& program);
 
 // Runs `program VERB` with `arguments` (a JSON object) on its standard input and `inherited` as descriptor 3 (-1 =
 // none), and waits for it. Progress is passed on. Throws SystemError when it is missing or cannot be started.
-WorkerTalk run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,
-                      int inherited, const ChildLimits& limits, const Progress& progress);
+WorkerOutput run_worker(const WorkerProgram& program, const std::string& verb, const std::string& arguments,
+                        int inherited, const ChildLimits& limits, const Progress& progress);
 
 }  // namespace bodkin::io

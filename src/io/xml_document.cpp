@@ -53,7 +53,7 @@ std::string text_of(const xmlNode* first) {
   return text;
 }
 
-// What the parser's callbacks found.
+// The results of the parser's callbacks.
 struct ParseFault {
   bool document_type = false;
   std::optional<int> line;
@@ -87,7 +87,7 @@ Document parse(std::string_view text, const std::string& origin, bool lines) {
   context->_private = &fault;
   context->sax->internalSubset = refuse_document_type;
   context->sax->serror = keep_first_parse_error;
-  // UTF-8 whatever the document declares: one encoding is enough, and the decoders of others stay out of reach.
+  // UTF-8 whatever the document declares: one encoding suffices, and the decoders of others remain unreachable.
   Document document(xmlCtxtReadMemory(context.get(), text.data(), static_cast<int>(text.size()), nullptr, "UTF-8",
                                       XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES | XML_PARSE_COMPACT));
   if (fault.document_type) {
@@ -115,8 +115,8 @@ XmlElement copy(const xmlNode* node, bool lines) {
   return element;
 }
 
-// Refuses what no Bodkin file needs: depth, and namespaces, through which a document could name schemas of its own to
-// be loaded.
+// Refuses features unused by Bodkin files: deep nesting, and namespaces, through which a document could have its own
+// schemas loaded.
 void refuse_excess(const xmlNode* node, const std::string& origin, bool lines, int depth) {
   const int line = lines ? static_cast<int>(xmlGetLineNo(node)) : 0;
   const std::string_view name = view(node->name);
@@ -137,7 +137,7 @@ void refuse_excess(const xmlNode* node, const std::string& origin, bool lines, i
   }
 }
 
-// A schema's document with the documents that it includes put in their places, each once (`read` holds their names).
+// A schema's document with its included documents inserted, each once (`read` holds their names).
 Document schema_document(const std::string& name, std::set<std::string>& read) {
   read.insert(name);
   const std::string text = read_text_file(shared_file(name), schema_limit);
@@ -156,7 +156,7 @@ Document schema_document(const std::string& name, std::set<std::string>& read) {
       const Document included = schema_document(other, read);
       for (const xmlNode* part = xmlDocGetRootElement(included.get())->children; part != nullptr; part = part->next) {
         if (part->type != XML_ELEMENT_NODE) continue;
-        // Next to the old node, so that prefixes mean the same.
+        // Next to the old node, so that prefixes keep their meaning.
         xmlNode* copied = xmlDocCopyNode(const_cast<xmlNode*>(part), document.get(), 1);
         if (copied == nullptr) throw SystemError("out of memory while reading the schema " + name);
         xmlAddPrevSibling(node, copied);
@@ -206,7 +206,7 @@ XmlSchema::XmlSchema(const std::string& name) {
   std::set<std::string> read;
   const Document document = schema_document(name, read);
   SchemaExpectations expectations(copy(xmlDocGetRootElement(document.get()), true));
-  // From text again: a schema keeps parts of a document that it is made from.
+  // From text again: a schema keeps parts of its source document.
   xmlChar* written = nullptr;
   int size = 0;
   xmlDocDumpMemory(document.get(), &written, &size);

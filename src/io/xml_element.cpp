@@ -17,7 +17,7 @@ Number parsed(std::string_view text, Number fallback) noexcept {
   if (first == std::string_view::npos) return fallback;
   text.remove_prefix(first);
   if (text.front() == '+') text.remove_prefix(1);
-  Number value = 0;  // also of a number too small to hold, which from_chars leaves alone
+  Number value = 0;  // also for numbers too small to represent, unchanged by from_chars
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
 }

@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& words, std::string_view last)
   return list;
 }
 
-// What the facets of a simple type allow, the nearest restriction of each kind winning.
+// The values allowed by the facets of a simple type; for each kind the nearest restriction applies.
 struct Facets {
   std::string documentation, base;
   std::vector<std::string> values;
@@ -78,7 +78,7 @@ std::string in_words(const Facets& facets) {
   return limits.empty() ? words : words + " " + joined(limits, "and");
 }
 
-// What the type of an element or attribute declaration allows.
+// The values allowed by the type of an element or attribute declaration.
 std::string type_in_words(const XmlElement& declaration, const Types& types) {
   Facets facets;
   const std::string name = declaration.string("type");
@@ -98,7 +98,7 @@ void each_element(const XmlElement& schema, const auto& visit) {
   }
 }
 
-// The elements that a complex type may hold, not those inside them.
+// The direct child elements of a complex type.
 void child_names(const XmlElement& type, std::vector<std::string>& names) {
   for (const XmlElement& child : type.children) {
     if (child.name == "element") {
@@ -129,14 +129,14 @@ std::vector<std::string> expected_elements(const std::string& message) {
   return names;
 }
 
-// The same without those that may be missing.
+// The same without optional ones.
 std::vector<std::string> missing_elements(const std::string& message, const std::set<std::string>& optional) {
   std::vector<std::string> names = expected_elements(message);
   std::erase_if(names, [&optional](const std::string& name) { return optional.contains(name); });
   return names;
 }
 
-// Elements that may be missing wherever they may stand.
+// Elements that are optional everywhere.
 void collect_optional(const XmlElement& schema, std::set<std::string>& optional) {
   for (const XmlElement& child : schema.children) {
     if (child.name == "element" && child.string("minOccurs") == "0")

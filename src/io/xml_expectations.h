@@ -11,7 +11,7 @@
 
 namespace bodkin::io {
 
-// What libxml2 says of a document that its schema refuses, and the element it says it of.
+// An error of libxml2 about a document that its schema rejects, and the element concerned.
 struct SchemaError {
   int code = 0;         // xmlParserErrors
   std::string message;  // libxml2's words
@@ -21,7 +21,7 @@ struct SchemaError {
   std::vector<std::pair<std::string, std::string>> attributes;
 };
 
-// What a schema expects where, in words taken from the schema itself, so that an error message can say so.
+// The requirements of a schema in words, derived from the schema itself, for error messages.
 class SchemaExpectations {
  public:
   // `schema` is the schema's own document.
@@ -30,8 +30,8 @@ class SchemaExpectations {
   // The error as a part of a sentence: "needle length_mm is '-3', expected a number above 0".
   std::string plain(const SchemaError& error) const;
 
-  // What an attribute must be ("a number from 0 to 1"), or nothing when the schema does not know it. The attribute ""
-  // is the text of the element.
+  // The requirement of an attribute ("a number from 0 to 1"), or nothing when the schema does not have it. The
+  // attribute "" is the text of the element.
   std::string expected(const std::string& element, const std::string& attribute) const;
 
  private:
@@ -40,10 +40,10 @@ class SchemaExpectations {
   std::set<std::string> optional_;                                      // "<element>", of those that may be missing
 };
 
-// What to say of a document whose outermost element is another one's.
+// The message about a document with another document's outermost element.
 std::string misplaced_root(std::string_view name);
 
-// The same for a document that is not well-formed XML.
+// The message about a document that is not well-formed XML.
 std::string plain_parse_error(int code, const std::string& message);
 
 }  // namespace bodkin::io

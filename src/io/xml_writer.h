@@ -7,8 +7,8 @@
 
 namespace bodkin::io {
 
-// Writes an XML document, element by element. Texts are made valid: what is not UTF-8 or not allowed in XML becomes
-// U+FFFD. Throws SystemError when memory runs out.
+// Writes an XML document, element by element. Invalid UTF-8 and characters not allowed in XML become U+FFFD. Throws
+// SystemError when memory runs out.
 class XmlWriter {
  public:
   XmlWriter();
@@ -23,12 +23,12 @@ class XmlWriter {
   void attribute(const std::string& name, bool value);
   void attribute(const std::string& name, const std::string& value);
   void attribute(const std::string& name, const char* value) { attribute(name, std::string(value)); }
-  // Nothing for an empty value.
+  // No attribute for an empty value.
   void optional(const std::string& name, const std::string& value);
   void text_element(const std::string& element, const std::string& text);
   void coordinates(const char* const (&names)[3], const Vec3& vector);
 
-  // The whole document; the writer is used up.
+  // The whole document; the writer must not be used afterwards.
   std::string finish();
 
  private:

@@ -21,16 +21,16 @@ bool same(const anatomy::NeedlePath& one, const anatomy::NeedlePath& other) {
   return one.entry == other.entry && one.target == other.target;
 }
 
-// The settings of a needle that meets points of its line; nullptr: it meets nodes.
+// The settings of a needle with contact points on its line; nullptr: it uses nodes.
 const anatomy::EmbeddedNeedleSettings* with_points(const anatomy::Case& patient) {
   return std::get_if<anatomy::EmbeddedNeedleSettings>(&patient.description.haptics.resistance);
 }
 
 anatomy::CondensedBody points_of(const fem::ContactBody& body, const anatomy::Case& patient,
                                  const anatomy::NeedlePath& path, const anatomy::EmbeddedNeedleSettings& settings) {
-  const std::vector<fem::NeedleStation> stations =
-      fem::stations_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
-  return body.contact_points(stations, path.direction(), settings.tip_radius, 0, body.bind(patient.left_needles, {}));
+  const std::vector<fem::ContactSite> sites =
+      fem::contact_sites_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
+  return body.contact_points(sites, path.direction(), settings.tip_radius, 0, body.bind(patient.left_needles, {}));
 }
 
 // `cache`: empty for none.
@@ -45,7 +45,7 @@ std::shared_ptr<const fem::ContactBody> contact_body(const std::shared_ptr<const
   return whole;
 }
 
-// The body of a mesh; `folder`: where what was prepared is kept, empty for nowhere.
+// The body of a mesh; `folder`: for the prepared data, empty for none.
 std::shared_ptr<const fem::BodyDescription> prepare_body_of(anatomy::TetrahedralMesh mesh, anatomy::Case& patient,
                                                             const std::filesystem::path& folder,
                                                             const anatomy::NeedlePath& about,

@@ -1,4 +1,4 @@
-// Breathing against its formula, computed with the library's sine, and against what a patient would do.
+// Breathing against its formula, computed with the library's sine, and against a patient's behaviour.
 #include "anatomy/breathing.h"
 
 #include <cmath>

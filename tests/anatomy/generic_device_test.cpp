@@ -24,7 +24,7 @@ TEST(GenericDevice, is_strong_enough_for_the_needle_and_never_weaker_for_a_thick
     EXPECT_LE(device.peak_force / device.stiffness, 10.0) << "mm, its own give at that force";
     before = device.peak_force;
   }
-  // N, what the ligamentum flavum takes with a Tuohy needle (docs/running.md), and to spare for the shaft's friction.
+  // N, of the ligamentum flavum with a Tuohy needle (docs/running.md), with a reserve for the shaft's friction.
   EXPECT_GE(generic_device(needle_of(16), Mechanics::physical).peak_force, 20.0);
   EXPECT_GE(generic_device(needle_of(18), Mechanics::physical).peak_force, 12.0);
   EXPECT_EQ(generic_device(needle_of(20), Mechanics::physical).peak_force, DeviceLimits{}.peak_force);

@@ -1,5 +1,6 @@
 #include "anatomy/label_distance.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -99,6 +100,20 @@ TEST(LabelDistance, a_sheet_is_thick_enough_up_to_half_its_thickness) {
   };
   EXPECT_TRUE(sheet_kept(1.5F));
   EXPECT_FALSE(sheet_kept(1.51F));
+}
+
+TEST(LabelDistance, labels_left_out_change_nothing_for_the_others) {
+  const Labels labels = patches(5, {11, 9, 7}, {1.0, 0.7, 2.5});
+  const std::vector<float> distance = distance_to_other_label(labels), radius(distance.size(), 1.0F);
+  const std::vector<std::uint8_t> kept = thick_enough(labels, distance, radius);
+  const std::array<std::uint8_t, 2> left_out = {0, 3};
+  const std::vector<float> of_some = distance_to_other_label(labels, left_out);
+  const std::vector<std::uint8_t> kept_of_some = thick_enough(labels, of_some, radius, left_out);
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    const bool is_left_out = labels.voxels[i] == 0 || labels.voxels[i] == 3;
+    EXPECT_EQ(of_some[i], is_left_out ? std::numeric_limits<float>::infinity() : distance[i]);
+    EXPECT_EQ(kept_of_some[i], is_left_out ? 0 : kept[i]);
+  }
 }
 
 }  // namespace

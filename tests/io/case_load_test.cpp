@@ -20,7 +20,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// A case of two voxels of air and six of skin, in a place where there is no image worker.
+// A case of two voxels of air and six of skin, in a place without an image worker.
 class CaseLoad : public ::testing::Test {
  protected:
   CaseLoad() {

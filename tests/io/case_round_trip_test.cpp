@@ -1,4 +1,4 @@
-// What case.xml says is what the description says, to the bit, and the other way round.
+// case.xml and the description agree to the bit, in both directions.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -170,7 +170,7 @@ TEST(CaseXml, the_defaults_that_the_schema_states_are_those_of_the_description) 
                                     "<constraint><line_spring/></constraint><parts/><compensation/></haptics>"
                                     "<procedure/>");
   expect_same(parse(bare), parse(smallest));
-  // And against what the schema says that a validating reader fills in.
+  // And against the schema's defaults for a validating reader.
   const std::string schema = read_text_file(shared_file("case.xsd"), 1 << 20);
   std::string filled = bare;
   for (const auto& [element, attribute, value] :

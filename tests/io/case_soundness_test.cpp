@@ -107,7 +107,7 @@ TEST(CaseSoundness, a_planned_path_begins_on_the_skin) {
           "the entry (40.0, 10.0, 40.0) of the planned path lies 10.0 mm in front of the skin, expected on it"));
   entry.y() = 30.0;
   EXPECT_THAT(content_problems(patient), ElementsAre(HasSubstr("under the skin, expected on it")));
-  // A crop has no skin to begin on.
+  // A crop may have no skin on the path.
   for (TissueId& id : patient.tissues.voxels) id = id == tissue::air ? tissue::fat : id;
   EXPECT_THAT(content_problems(patient), IsEmpty());
 }

@@ -1,4 +1,4 @@
-// What case.xml may say, what it may not, and in which words it is refused.
+// Valid and invalid contents of case.xml, and the messages of refusal.
 #include "io/case_xml.h"
 
 #include "tests/io/case_documents.h"

@@ -77,7 +77,8 @@ TEST(DeviceProfilesFile, a_bad_row_is_told_in_one_sentence_with_file_and_line) {
   EXPECT_NE(sentence("Pen,peak_force,nan,N,a note,recalled,\n").find("value is 'nan'"), std::string::npos);
   EXPECT_NE(sentence("Pen,peak_force,1e9,N,a note,recalled,\n").find("value is '1e9'"), std::string::npos);
   EXPECT_NE(sentence(",peak_force,3,N,a note,recalled,\n").find("the name of a device"), std::string::npos);
-  EXPECT_NE(sentence("Pen,peak_force,,N,,recalled,\n").find("not sourced, for there is no value"), std::string::npos);
+  EXPECT_NE(sentence("Pen,peak_force,,N,,recalled,\n").find("not sourced, because there is no value"),
+            std::string::npos);
   EXPECT_NE(sentence("Pen,peak_force,3,N,,recalled,\n").find("column 5: source"), std::string::npos);
   EXPECT_NE(sentence("Pen,also_called,,,,,\n").find("another name"), std::string::npos);
   EXPECT_NE(sentence("Pen,peak_force,3,N,a note,recalled,\nPen,peak_force,4,N,a note,recalled,\n")
@@ -92,7 +93,7 @@ TEST(DeviceProfilesFile, a_bad_row_is_told_in_one_sentence_with_file_and_line) {
   EXPECT_THROW(parse_device_profiles("device,quantity\n", "devices.csv"), InputError);
 }
 
-// What a profile states becomes the device of a case.
+// A profile's numbers become the device of a case.
 TEST(DeviceProfilesFile, takes_what_a_case_can_state_and_no_more) {
   using anatomy::DeviceLimits;
   const std::vector<std::pair<std::string, double DeviceLimits::*>> quantities = {

@@ -54,7 +54,7 @@ TEST(ExperimentFile, says_what_it_says) {
   EXPECT_DOUBLE_EQ(places[3].time, 3.5);
   EXPECT_DOUBLE_EQ(places[3].depth, 5.0);
   EXPECT_DOUBLE_EQ(places[3].tilt, 9.0 * std::numbers::pi / 180.0);
-  EXPECT_EQ(experiment.values.at(0).take, Take::last);
+  EXPECT_EQ(experiment.values.at(0).aggregation, Aggregation::last);
   EXPECT_EQ(experiment.values.at(0).window.time_to, 3.0);
 }
 
@@ -69,7 +69,7 @@ TEST(ExperimentFile, changes_the_library_and_adds_to_it) {
   EXPECT_EQ(gel->layered.break_force, muscle->layered.break_force);
   EXPECT_NE(muscle->tracking_wall.force, 2.0);
   EXPECT_EQ(experiment.library.find("skin")->tracking_wall.force, 3.0);
-  // The library's description of muscle and skin is not that of what has other forces.
+  // The library's description of muscle and skin does not apply to tissue with other forces.
   EXPECT_EQ(gel->physical.puncture_force, 0.0);
   EXPECT_EQ(experiment.library.find("skin")->physical.friction, 0.0);
   EXPECT_GT(muscle->physical.puncture_force, 0.0);

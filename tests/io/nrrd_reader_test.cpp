@@ -1,5 +1,5 @@
-// Bodkin's own volumes are read back to the bit, without an imaging library; anything else is left to the image
-// worker or refused with a sentence.
+// Bodkin's own volumes are read back to the bit, without an imaging library; other files are left to the image worker
+// or refused with a sentence.
 #include "io/nrrd_reader.h"
 
 #include <bit>
@@ -118,7 +118,7 @@ TEST(NrrdReader, a_volume_longer_than_one_gzip_block_and_one_that_packs_a_thousa
   EXPECT_EQ(read->voxels, air.voxels);
 }
 
-// The form is fixed: cases on disk have it, and the reader takes no other.
+// The form is fixed: cases on disk have it, and the reader accepts no other.
 TEST(NrrdHeader, is_this_text) {
   NrrdHeader header{"short", {2, 3, 4}, Mat3::Identity(), Vec3(0.1, -0.0, 1e-9)};
   header.steps(2, 1) = 0.5;
@@ -224,7 +224,7 @@ TEST_F(NrrdFile, no_changed_byte_of_the_packed_voxels_changes_a_voxel) {
     std::string bytes = good_;
     bytes[place] = static_cast<char>(bytes[place] ^ 0x10);
     try {
-      // The head of a gzip stream names a time and a system, and bits between blocks mean nothing.
+      // The head of a gzip stream contains a time and a system, and bits between blocks are ignored.
       EXPECT_EQ(read(bytes).value().voxels, written.voxels) << place;
     } catch (const InputError&) {
       ++refused;

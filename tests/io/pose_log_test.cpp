@@ -1,4 +1,4 @@
-// Poses as 3D Slicer and PLUS record them: read, written, and led from one frame to another.
+// Poses as 3D Slicer and PLUS record them: read, written, and transformed between frames.
 #include "io/pose_log.h"
 
 #include <cstdlib>
@@ -88,7 +88,7 @@ TEST(PoseLog, a_sequence_of_plus_reads_back_as_it_was) {
   PoseLog other;
   other.tracks = {expected};
   expect_same(needle, other, 0.0);
-  // The probe has every second pose; between them it is on its way.
+  // The probe has every second pose; between them it is interpolated.
   const Pose between = back.find("ProbeToReference")->at(100.05);
   EXPECT_NEAR(between.translation().y(), 1.0, 1e-6);
 }
@@ -151,9 +151,9 @@ TEST(PoseLog, says_what_is_wrong_and_where) {
                     log_with("type='transform' DeviceName='A' transform='2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1'"),
                     "log.xml");
               }),
-              HasSubstr("no rotation"));
+              HasSubstr("not a rotation"));
   EXPECT_THAT(sentence([&] { parse_recorder_log("<log/>", "log.xml"); }), HasSubstr("log.xml"));
-  EXPECT_THAT(sentence([&] { parse_sequence_poses("PK\3\4", "a.mha"); }), HasSubstr("no sequence of PLUS"));
+  EXPECT_THAT(sentence([&] { parse_sequence_poses("PK\3\4", "a.mha"); }), HasSubstr("not a sequence of PLUS"));
   EXPECT_THAT(
       sentence([&] { parse_sequence_poses("ObjectType = Image\nSeq_Frame0000_Timestamp = soon\n", "a.mha"); }),
       HasSubstr("a.mha, line 2: the time is 'soon'"));

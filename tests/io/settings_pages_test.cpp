@@ -12,7 +12,7 @@
 #include "anatomy/ultrasound_probe.h"
 #include "core/parameter.h"
 
-// The tables of settings in docs/ are written from the tables of parameters. With BODKIN_WRITE_PAGES=1 in the
+// The tables of settings in docs/ are generated from the parameter tables. With BODKIN_WRITE_PAGES=1 in the
 // environment the test writes them; otherwise it compares.
 
 namespace bodkin {
@@ -94,8 +94,10 @@ void add_models(const auto& names, const std::string& all, std::map<std::string,
     (
         [&] {
           const std::string name(names[Index]);
-          const std::string model = rows(name, std::variant_alternative_t<Index, Models>{});
+          std::string model = rows(name, std::variant_alternative_t<Index, Models>{});
           tables[name] = std::string(head) + model;
+          if (fs::exists(fs::path(BODKIN_REPOSITORY) / "docs/models" / (name + ".md")))
+            model.insert(2, "[").insert(model.find("` |") + 1, "](models/" + name + ".md)");
           tables[all] += (tables[all].empty() ? std::string(head) : "") + model;
         }(),
         ...);

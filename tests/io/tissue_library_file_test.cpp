@@ -30,7 +30,7 @@ const std::string gel =
     "dynamic_friction_N_per_mm='0.02'/>\n"            // 6
     "</layered>\n"                                    // 7
     "<source>measured\n   here</source></tissue>\n";  // 8
-// What the other models want to know, one element a line: lines 8 to 12 of a library with them.
+// The other models' elements, one per line: lines 8 to 12 of a library with them.
 const std::string others =
     "<tracking_wall stiffness_N_per_mm='0.6' force_N='1.1'/>\n"
     "<depth_profile kind='soft' stiffness_N_per_mm='0.7' slope_N_per_mm2='-0.01'/>\n"
@@ -116,7 +116,7 @@ TEST(TissueLibraryFile, every_value_of_the_other_models_arrives) {
 TEST(TissueLibraryFile, a_tissue_that_says_nothing_to_a_model_resists_with_nothing_there) {
   const TissueProperties neutral;
   const TissueLibrary silent = parse(library);
-  // The same where an element leaves out what it may.
+  // The same with optional attributes omitted.
   const TissueLibrary brief = parse(
       replaced(library, "<source>measured",
                "<syringe resistance_MPa_s_per_mm3='0.05'/><depth_profile kind='nothing'/><tracking_wall "

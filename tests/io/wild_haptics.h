@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "anatomy/case.h"
+#include "core/error.h"
 #include "core/random.h"
+#include "core/settings_check.h"
 
 namespace bodkin {
 
@@ -19,133 +25,73 @@ using namespace bodkin::anatomy;
 
 // --- equality to the bit -----------------------------------------------------------------------------------------
 
-// Every member of the settings: a member more or less does not compile.
-inline auto members(const LayeredSettings& s) {
-  const auto& [a, b, c] = s;
-  return std::tie(a, b, c);
+// Converts to a member of any type, and counts how many a struct takes.
+struct AnyMember {
+  template <typename T>
+  operator T() const;
+};
+template <typename S, std::size_t... I>
+constexpr bool takes_members(std::index_sequence<I...> /*of*/) {
+  return requires {
+    S{(static_cast<void>(I), AnyMember())...};
+  };
 }
-inline auto members(const SpringDamperWallSettings& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
+template <typename S, std::size_t count = 0>
+constexpr std::size_t member_count() {
+  if constexpr (takes_members<S>(std::make_index_sequence<count + 1>()))
+    return member_count<S, count + 1>();
+  else
+    return count;
 }
-inline auto members(const TrackingWallTissue& s) {
-  const auto& [a, b] = s;
-  return std::tie(a, b);
-}
-inline auto members(const TrackingWallDepthLayer& s) {
-  const auto& [a, b] = s;
-  return std::tie(a, b);
-}
-inline auto members(const TrackingWallSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h] = s;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-inline auto members(const DepthProfileSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k);
-}
-inline auto members(const HapticFieldSettings& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
-}
-inline auto members(const ProxyProperties& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
-}
-inline auto members(const TransferPoint& s) {
-  const auto& [a, b] = s;
-  return std::tie(a, b);
-}
-inline auto members(const VolumeProxySettings& s) {
-  const auto& [a, b, c, d, e, f, g, h] = s;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-inline auto members(const KarnoppFriction& s) {
-  const auto& [a, b, c] = s;
-  return std::tie(a, b, c);
-}
-inline auto members(const ThreeComponentSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h, i, j] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i, j);
-}
-inline auto members(const FractureSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h] = s;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-inline auto members(const ShaftFrictionSettings& s) {
-  const auto& [a] = s;
-  return std::tie(a);
-}
-inline auto members(const DeformableBodySettings& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
-}
-inline auto members(const CorridorSettings& s) {
-  const auto& [a, b, c] = s;
-  return std::tie(a, b, c);
-}
-inline auto members(const NeedleBendingSettings& s) {
-  const auto& [a, b, c, d, e] = s;
-  return std::tie(a, b, c, d, e);
-}
-inline auto members(const EmbeddedNeedleSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h] = s;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-inline auto members(const ClosestNodeSettings& s) {
-  const auto& [a, b, c, d, e, f, g] = s;
-  return std::tie(a, b, c, d, e, f, g);
-}
-inline auto members(const LineSpringSettings& s) {
-  const auto& [a, b, c] = s;
-  return std::tie(a, b, c);
-}
-inline auto members(const PivotSettings& s) {
-  const auto& [a, b, c, d, e] = s;
-  return std::tie(a, b, c, d, e);
-}
-inline auto members(const RailSettings& s) {
-  const auto& [a, b, c, d, e] = s;
-  return std::tie(a, b, c, d, e);
-}
-inline auto members(const BeamSettings& s) {
-  const auto& [a, b, c, d, e] = s;
-  return std::tie(a, b, c, d, e);
-}
-inline auto members(const NoConstraint&) {
-  return std::tuple<>();
-}
-inline auto members(const PronyTerm& s) {
-  const auto& [a, b] = s;
-  return std::tie(a, b);
-}
-inline auto members(const NeedleGraspSettings& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
-}
-inline auto members(const SurfaceProxySettings& s) {
-  const auto& [a, b, c, d, e, f] = s;
-  return std::tie(a, b, c, d, e, f);
+
+// Every member of the settings, whether or not their table of parameters knows it.
+template <typename S>
+auto members(const S& s) {
+  constexpr std::size_t count = member_count<S>();
+  static_assert(count <= 12, "add the next count here");
+  if constexpr (count == 0) {
+    return std::tuple<>();
+  } else if constexpr (count == 1) {
+    const auto& [a] = s;
+    return std::tie(a);
+  } else if constexpr (count == 2) {
+    const auto& [a, b] = s;
+    return std::tie(a, b);
+  } else if constexpr (count == 3) {
+    const auto& [a, b, c] = s;
+    return std::tie(a, b, c);
+  } else if constexpr (count == 4) {
+    const auto& [a, b, c, d] = s;
+    return std::tie(a, b, c, d);
+  } else if constexpr (count == 5) {
+    const auto& [a, b, c, d, e] = s;
+    return std::tie(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    const auto& [a, b, c, d, e, f] = s;
+    return std::tie(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    const auto& [a, b, c, d, e, f, g] = s;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    const auto& [a, b, c, d, e, f, g, h] = s;
+    return std::tie(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    const auto& [a, b, c, d, e, f, g, h, i] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (count == 10) {
+    const auto& [a, b, c, d, e, f, g, h, i, j] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (count == 11) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  } else if constexpr (count == 12) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l] = s;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  }
 }
 inline auto members(const RegisteredSettings& s) {
   const auto& [a, b, c] = s;
   return std::tie(a, b, c);
-}
-inline auto members(const BevelTipSettings& s) {
-  const auto& [a, b, c] = s;
-  return std::tie(a, b, c);
-}
-inline auto members(const CsfFlowSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h, i] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i);
-}
-inline auto members(const FingertipSettings& s) {
-  const auto& [a, b, c, d] = s;
-  return std::tie(a, b, c, d);
-}
-inline auto members(const SyringeSettings& s) {
-  const auto& [a, b, c, d, e, f, g, h, i] = s;
-  return std::tie(a, b, c, d, e, f, g, h, i);
 }
 inline auto members(const ForceParts& s) {
   const auto& [a, b, c, d, e, f, g] = s;
@@ -212,115 +158,66 @@ inline double wild_number(Random& random, double low, double high) {
   return std::min(high, low + span * std::pow(random.uniform(1e-4, 1.0), random.uniform(0.1, 3.0)));
 }
 
-inline ResistanceSettings wild_resistance(Random& random) {
-  const auto number = [&](double low, double high) { return wild_number(random, low, high); };
-  const auto coin = [&] { return random.uniform() < 0.5; };
-  switch (random.next() % resistance_names.size()) {
-    case 0:
-      return LayeredSettings{coin() ? LayeredLaw::sum : LayeredLaw::cubic, coin(), number(0.1, 2.0)};
-    case 1:
-      return SpringDamperWallSettings{number(0.0, 100.0), number(0.0, 1.0), number(-1e3, 1e3), number(1e-3, 100.0)};
-    case 2: {
-      TrackingWallSettings s{coin(),
-                             number(-1e3, 1e3),
-                             number(1e-3, 1e9),
-                             coin(),
-                             number(1e-3, 100.0),
-                             number(0.0, 100.0),
-                             number(0.0, 90.0),
-                             {}};
-      for (double from = 0.0; from < 1e3 && coin(); from += number(1e-9, 100.0))
-        s.layers.push_back({from, {number(0.01, 100.0), number(0.0, 50.0)}});
-      return s;
-    }
-    case 3: {
-      const double deep = number(0.1, 50.0);
-      return DepthProfileSettings{number(0.01, 10.0),  deep,
-                                  number(0.01, deep),  number(0.01, 10.0),
-                                  number(1e-3, 100.0), number(0.0, 1.0),
-                                  number(1.0, 400.0),  number(0.1, 1e3),
-                                  number(0.0, 5.0),    number(0.0, 100.0),
-                                  number(0.0, 90.0)};
-    }
-    case 4: {
-      const double reference = number(1e-6, 1e3), lowest = number(-2e3, 2.5e3);
-      VolumeProxySettings s{number(0.01, 10.0),
-                            reference,
-                            number(0.0, reference),
-                            coin() ? ProxyVariant::viscous : ProxyVariant::drag,
-                            coin(),
-                            number(1e-3, 100.0),
-                            {number(0.0, 10.0), lowest, number(lowest + 1.0, 4e3), number(0.0, 3.0)},
-                            {}};
-      for (double value = number(-100.0, 0.0); value < 100.0 && coin(); value += number(1e-9, 10.0))
-        s.transfer.push_back({value, {number(0.0, 50.0), number(0.0, 50.0), number(0.0, 50.0), number(0.0, 10.0)}});
-      return s;
-    }
-    case 5: {
-      const double puncture = number(0.01, 50.0);
-      return ThreeComponentSettings{number(1e-9, 10.0),
-                                    number(0.0, 10.0),
-                                    puncture,
-                                    number(0.0, puncture),
-                                    number(0.01, 100.0),
-                                    {number(0.0, 10.0), number(0.0, 1.0), number(0.0, 10.0)},
-                                    {number(0.0, 10.0), number(0.0, 1.0), number(0.0, 10.0)},
-                                    number(0.01, 100.0),
-                                    number(1e-3, 100.0),
-                                    number(1e-3, 100.0)};
-    }
-    case 6:
-      return FractureSettings{number(1e-3, 10.0), number(0.1, 10.0),   number(1e-4, 100.0), number(0.05, 5.0),
-                              number(0.01, 20.0), number(0.01, 100.0), number(0.0, 100.0),  number(1e-3, 100.0)};
-    case 7:
-      return ShaftFrictionSettings{number(0.01, 1e3)};
-    case 8: {
-      const double slipping = number(0.0, 10.0);
-      return SurfaceProxySettings{number(0.01, 10.0), number(slipping, 10.0), slipping,
-                                  number(0.0, 1.0),   number(0.0, 1.0),       number(1e-3, 100.0)};
-    }
-    case 9:
-      return RegisteredSettings{"somebodys_model", {{"force_N", value_text(number(0.0, 5.0))}, {"mode", "fast"}}, {}};
-    default: {
-      const DeformableBodySettings body{number(1e-3, 1e3), coin(), coin(), number(1.0, 1000.0)};
-      if (coin())
-        return EmbeddedNeedleSettings{
-            number(0.2, 5.0),
-            number(0.5, 5.0),
-            number(0.0, 200.0),
-            number(0.05, 20.0),
-            number(0.001, 1.0),
-            150,
-            body,
-            {coin(), number(1e3, 5e5), coin(), coin() ? NeedleHold::pinned : NeedleHold::clamped, number(0.0, 2.0)}};
-      return ClosestNodeSettings{number(0.05, 50.0),
-                                 number(0.01, 100.0),
-                                 number(0.001, 1.0),
-                                 number(0.1, 10.0),
-                                 number(1.0, 1000.0),
-                                 {number(1.0, 200.0), number(0.0, 200.0), number(10.0, 5000.0)},
-                                 body};
+// Values that the tables of parameters allow; texts and lists stay as they are.
+template <typename Settings>
+Settings wild(Random& random) {
+  Settings settings;
+  const auto fill = [&random](auto& self, auto& owner) -> void {
+    for_each_entry(
+        [&](const auto& entry, auto& value) {
+          using Entry = std::remove_cvref_t<decltype(entry)>;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::same_as<Value, bool>) {
+            value = random.uniform() < 0.5;
+          } else if constexpr (NamedEnumeration<Value>) {
+            value = static_cast<Value>(random.next() % enumeration_names(value).size());
+          } else if constexpr (std::floating_point<Value>) {
+            value = wild_number(random, entry.range.includes_low ? entry.range.low : entry.range.low + 1e-9,
+                                std::min(entry.range.high, 1e9));
+          } else if constexpr (parameter_detail::is_optional<Value>) {
+            if (random.uniform() < 0.3) value = wild<typename Value::value_type>(random);
+          } else if constexpr (!parameter_detail::is_list<Entry> && Parameterized<Value>) {
+            self(self, value);
+          }
+        },
+        owner);
+  };
+  while (true) {
+    fill(fill, settings);
+    try {
+      check(settings, "wild");
+      return settings;
+    } catch (const InputError&) {  // two of them do not go together
     }
   }
 }
 
-inline ConstraintSettings wild_constraint(Random& random) {
-  const auto number = [&](double low, double high) { return wild_number(random, low, high); };
-  switch (random.next() % constraint_names.size()) {
-    case 0:
-      return LineSpringSettings{number(0.0, 100.0), number(0.0, 1.0), number(1e-9, 100.0)};
-    case 1:
-      return PivotSettings{number(0.0, 10.0), number(0.0, 10.0), number(1e-3, 100.0), number(1.0, 500.0),
-                           number(0.01, 1.0)};
-    case 2:
-      return RailSettings{number(0.0, 10.0), number(1e-3, 100.0), number(0.0, 1e5), number(1.0, 500.0),
-                          number(1e-3, 1e4)};
-    case 3:
-      return BeamSettings{number(1e3, 5e5), random.uniform() < 0.5, number(0.01, 10.0), number(1e-3, 100.0),
-                          number(1.0, 400.0)};
-    default:
-      return NoConstraint{};
+// One of the models.
+template <typename Models>
+Models wild_model(Random& random) {
+  Models chosen;
+  const std::size_t wanted = random.next() % std::variant_size_v<Models>;
+  [&]<std::size_t... index>(std::index_sequence<index...>) {
+    ((wanted == index ? chosen = wild<std::variant_alternative_t<index, Models>>(random) : chosen), ...);
   }
+  (std::make_index_sequence<std::variant_size_v<Models>>());
+  return chosen;
+}
+
+inline ResistanceSettings wild_resistance(Random& random) {
+  const auto number = [&](double low, double high) { return wild_number(random, low, high); };
+  const auto one_more = [&] { return random.uniform() < 0.5; };
+  auto chosen = wild_model<ResistanceSettings>(random);
+  if (auto* wall = std::get_if<TrackingWallSettings>(&chosen)) {
+    for (double from = 0.0; from < 1e3 && one_more(); from += number(1e-9, 100.0))
+      wall->layers.push_back({from, wild<TrackingWallTissue>(random)});
+  } else if (auto* proxy = std::get_if<VolumeProxySettings>(&chosen)) {
+    for (double value = number(-100.0, 0.0); value < 100.0 && one_more(); value += number(1e-9, 10.0))
+      proxy->transfer.push_back({value, wild<ProxyProperties>(random)});
+  } else if (auto* registered = std::get_if<RegisteredSettings>(&chosen)) {
+    *registered = {"somebodys_model", {{"force_N", value_text(number(0.0, 5.0))}, {"mode", "fast"}}, {}};
+  }
+  return chosen;
 }
 
 inline HapticSettings wild_haptics(Random& random) {
@@ -331,44 +228,10 @@ inline HapticSettings wild_haptics(Random& random) {
   HapticSettings haptics;
   haptics.rate = number(200.0, 4000.0);
   haptics.resistance = wild_resistance(random);
-  haptics.constraint = wild_constraint(random);
+  haptics.constraint = wild_model<ConstraintSettings>(random);
+  haptics.parts = wild<ForceParts>(random);
   for (int term = 0; term < 4 && random.uniform() < 0.5; ++term)
     haptics.parts.relaxation.push_back({number(0.0, 0.25), number(1e-3, 1e4)});
-  if (random.uniform() < 0.3) haptics.parts.shaft_friction = ShaftFrictionSettings{number(0.01, 1e3)};
-  if (random.uniform() < 0.3) {
-    const double one_way = number(0.0, 10.0);
-    haptics.parts.needle_grasp =
-        NeedleGraspSettings{one_way, number(0.0, one_way), number(0.1, 10.0), number(0.1, 100.0)};
-  }
-  if (random.uniform() < 0.3)
-    haptics.parts.bevel_tip = BevelTipSettings{number(0.0, 0.1), number(0.0, 10.0), number(1e-3, 100.0)};
-  if (random.uniform() < 0.3) {
-    CsfFlowSettings& flow = haptics.parts.csf_flow.emplace();
-    flow.opening_pressure = number(0.0, 1000.0);
-    flow.viscosity = number(1e-10, 1e-8);
-    flow.manometer_bore = number(0.5, 10.0);
-    flow.manometer = random.uniform() < 0.5;
-    flow.stylet = random.uniform() < 0.5;
-    flow.pressure_volume_index = number(0.0, 200.0);
-    flow.times_faster = number(1.0, 100.0);
-  }
-  if (random.uniform() < 0.3) {
-    FingertipSettings& finger = haptics.parts.fingertip.emplace();
-    finger.modulus = number(0.001, 1.0);
-    finger.radius = number(2.0, 15.0);
-    finger.reach = number(10.0, 100.0);
-    finger.limit = number(0.1, 20.0);
-  }
-  if (random.uniform() < 0.3) {
-    SyringeSettings& syringe = haptics.parts.syringe.emplace();
-    syringe.filling = random.uniform() < 0.5 ? SyringeFilling::air : SyringeFilling::saline;
-    syringe.bore = number(2.0, 40.0);
-    syringe.air_volume = number(10.0, 20000.0);
-    syringe.saline_compliance = number(0.1, 1e5);
-    syringe.viscosity = number(1e-11, 1e-6);
-    syringe.friction = number(0.0, 20.0);
-    syringe.thumb_force = number(0.0, 50.0);
-  }
   haptics.compensation = {(vector(1.0) + Vec3(0.0, 0.0, 1.5)).normalized(), number(0.0, 20.0), vector(0.1),
                           vector(1e4), number(1e-3, 20.0)};
   return haptics;

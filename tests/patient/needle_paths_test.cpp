@@ -1,5 +1,4 @@
-// Needles enter the back of the synthetic patient anywhere and at any angle, in a mesh that knows nothing of its
-// layers.
+// Needles enter the back of the synthetic patient anywhere and at any angle, in a mesh independent of its layers.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -57,20 +56,20 @@ const Back& back() {
 NeedlePath random_path(Random& random) {
   const Back& here = back();
   const Vec3 along = here.planned.direction(), side = along.unitOrthogonal(), other = along.cross(side);
-  // One after the other, so that every compiler draws the same.
+  // In sequence, so that every compiler draws the same numbers.
   const double right = random.uniform(-25.0, 25.0), up = random.uniform(-25.0, 25.0);
   const double angle = random.uniform(0.0, 0.7), turn = random.uniform(0.0, 6.28);
   const Vec3 from = here.planned.entry - 30.0 * along + right * side + up * other;
   const Vec3 direction = std::cos(angle) * along + std::sin(angle) * (std::cos(turn) * side + std::sin(turn) * other);
-  for (double way = 0.0; way < 80.0; way += 0.01) {
-    const Vec3 place = from + way * along;
+  for (double along_line = 0.0; along_line < 80.0; along_line += 0.01) {
+    const Vec3 place = from + along_line * along;
     if (nearest<TissueId>(here.patient.tissues, place, tissue::air) != tissue::air)
       return {place, place + deepest * direction};
   }
   return here.planned;
 }
 
-struct WayLayer {
+struct LineLayer {
   TissueId tissue;
   double from, to;
 };
@@ -82,8 +81,8 @@ bool is_rigid(TissueId id) {
 
 // The tissues on the line, down to the first rigid one: what is thicker than 0.3 mm, neighbours of one tissue joined.
 // Nothing where a rigid piece is about as thick as a layer has to be, so that either answer is right.
-std::vector<WayLayer> way_layers_on(const NeedlePath& path) {
-  std::vector<WayLayer> layers;
+std::vector<LineLayer> layers_on_line(const NeedlePath& path) {
+  std::vector<LineLayer> layers;
   const TissueVolume& tissues = back().patient.tissues;
   const double voxel = tissues.grid.spacing.minCoeff();
   const auto tissue_at = [&](double depth) {
@@ -98,7 +97,7 @@ std::vector<WayLayer> way_layers_on(const NeedlePath& path) {
       if (end - depth > 0.2) return {};
     }
     if (layers.empty() || layers.back().tissue != id) {
-      // A piece that ends here and was no layer goes to the one before it.
+      // A piece that ends here and was not a layer joins the previous one.
       if (layers.size() > 1 && layers.back().to - layers.back().from < 0.3) {
         layers[layers.size() - 2].to = layers.back().to;
         layers.pop_back();
@@ -125,27 +124,27 @@ double puncture_force_of(TissueId id) {
   return tissue == nullptr ? 0.0 : tissue->deformable.puncture_force;
 }
 
-// The ways that meet the body, and what has to give way on them.
-struct WalkedWays {
-  std::size_t ways = 0, layers = 0;
+// The paths that meet the body, and the layers to be punctured on them.
+struct PathCounts {
+  std::size_t paths = 0, layers = 0;
 };
 
 // Pushes needles in and compares what gives way with the layers that have to: a tissue that takes more force than the
 // one before it.
-WalkedWays expect_every_layer_once(int ways, std::uint64_t seed) {
+PathCounts expect_every_layer_once(int paths, std::uint64_t seed) {
   const Back& here = back();
   ContactTissues tissues;
   for (const TissueProperties& tissue : here.patient.library.tissues())
     tissues[tissue.id] = {0.001, tissue.deformable.puncture_force, 0.0};
   Random random(seed);
-  WalkedWays all;
-  for (int way = 0; way < ways; ++way) {
+  PathCounts all;
+  for (int path_number = 0; path_number < paths; ++path_number) {
     const NeedlePath path = random_path(random);
-    const std::vector<NeedleStation> stations = stations_along(path, deepest, 2.0, here.patient);
-    const std::vector<WayLayer> layers = way_layers_on(path);
-    if (stations.empty() || layers.empty()) continue;
+    const std::vector<ContactSite> sites = contact_sites_along(path, deepest, 2.0, here.patient);
+    const std::vector<LineLayer> layers = layers_on_line(path);
+    if (sites.empty() || layers.empty()) continue;
     // A wide disk, so that nothing has to be refined: it is the layers that count here.
-    const CondensedBody points = here.body->contact_points(stations, path.direction(), 100.0);
+    const CondensedBody points = here.body->contact_points(sites, path.direction(), 100.0);
     EmbeddedNeedle needle(points, tissues, {}, 1e-3);
     needle.begin(path.entry, path.direction());
     std::vector<TissueId> felt;
@@ -153,37 +152,37 @@ WalkedWays expect_every_layer_once(int ways, std::uint64_t seed) {
       const auto& now = needle.step(needle_pose(path.entry + depth * path.direction(), path.direction()));
       if (now.puncture) felt.push_back(now.puncture->tissue);
     }
-    // What begins in the last millimetre, or is about as thin as a layer may be, may be felt or not.
+    // A layer that begins in the last millimetre, or has about the minimum thickness, may be felt or not.
     std::vector<TissueId> expected, possible;
     double before = 0.0;
-    for (const WayLayer& layer : layers) {
+    for (const LineLayer& layer : layers) {
       const double force = puncture_force_of(layer.tissue);
       if (force > before) possible.push_back(layer.tissue);
       if (force > before && layer.to - layer.from >= 0.35 && layer.from < deepest - 1.0)
         expected.push_back(layer.tissue);
       before = force;
     }
-    ++all.ways;
+    ++all.paths;
     all.layers += expected.size();
     if (felt != possible) {
-      EXPECT_EQ(felt, expected) << "way " << way;
+      EXPECT_EQ(felt, expected) << "path " << path_number;
     }
   }
   return all;
 }
 
 TEST(NeedlePaths, every_layer_on_a_random_way_gives_way_once) {
-  const WalkedWays walked = expect_every_layer_once(8, 1);
+  const PathCounts walked = expect_every_layer_once(8, 1);
   EXPECT_GT(walked.layers, 6U);
-  EXPECT_GE(walked.ways, 7U);
+  EXPECT_GE(walked.paths, 7U);
 }
 
 TEST(NeedlePaths, of_1000_random_ways_no_layer_is_missed_and_none_felt_twice) {
   // Under a sanitizer a few of them, which take 20 s.
-  const int ways = sanitized ? 20 : 1000;
-  const WalkedWays walked = expect_every_layer_once(ways, 2);
-  EXPECT_GT(walked.layers, static_cast<std::size_t>(ways));
-  EXPECT_GE(walked.ways, static_cast<std::size_t>(0.95 * ways));
+  const int paths = sanitized ? 20 : 1000;
+  const PathCounts walked = expect_every_layer_once(paths, 2);
+  EXPECT_GT(walked.layers, static_cast<std::size_t>(paths));
+  EXPECT_GE(walked.paths, static_cast<std::size_t>(0.95 * paths));
 }
 
 }  // namespace

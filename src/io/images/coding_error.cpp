@@ -18,7 +18,7 @@ unsigned word_at(std::string_view bytes, std::size_t place) {
   return 256 * byte_at(bytes, place) + byte_at(bytes, place + 1);
 }
 
-// Of the first table of a DQT segment, whose steps come in zigzag order.
+// Of the first table of a DQT segment, whose steps are in zigzag order.
 std::optional<CodingError> error_of_table(std::string_view segment) {
   static constexpr std::array<int, 64> zigzag = {0,  1,  8,  16, 9,  2,  3,  10, 17, 24, 32, 25, 18, 11, 4,  5,
                                                  12, 19, 26, 33, 40, 48, 41, 34, 27, 20, 13, 6,  7,  14, 21, 28,

@@ -20,7 +20,7 @@
 namespace bodkin::io {
 namespace {
 
-constexpr std::uintmax_t contour_memory = 512U << 20U;  // bytes: numbers take more room as doubles than as text
+constexpr std::uintmax_t contour_memory = 512U << 20U;  // bytes: doubles take more memory than numbers as text
 constexpr double flat = 0.5;                            // voxels that a contour may leave its plane
 constexpr double same_height = 0.1;                     // voxels between contours of one plane
 constexpr double furthest_point = 1e5;                  // mm

@@ -20,7 +20,7 @@ namespace bodkin::io {
 std::string text_of(const gdcm::DataSet& data, const gdcm::Tag& tag);
 
 // The numbers of a decimal string, "1\0\0"; empty when any of them is not a finite number, or, with `count`, when
-// there are not that many.
+// their number differs.
 std::vector<double> numbers_of(const gdcm::DataSet& data, const gdcm::Tag& tag, std::size_t count = 0);
 
 double number_of(const gdcm::DataSet& data, const gdcm::Tag& tag, double otherwise);
@@ -35,8 +35,9 @@ std::vector<gdcm::DataSet> items_of(const gdcm::DataSet& data, const gdcm::Tag& 
 // The first item of a sequence, if there is one.
 std::optional<gdcm::DataSet> first_item_of(const gdcm::DataSet& data, const gdcm::Tag& tag);
 
-// Calls `read`, which reads the file with GDCM, allowing it `memory` bytes and four times the file's size: GDCM takes
-// the memory for an element before it knows whether the file holds it. False when it wanted more, or returned false.
+// Calls `read`, which reads the file with GDCM, allowing it `memory` bytes and four times the file's size: GDCM
+// allocates the memory for an element before it knows whether the file contains it. False when it needed more, or
+// returned false.
 bool read_within_budget(const std::filesystem::path& file, std::uintmax_t memory, const std::function<bool()>& read);
 
 }  // namespace bodkin::io

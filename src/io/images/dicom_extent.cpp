@@ -128,7 +128,7 @@ class Walker {
     }
   }
 
-  // False for data that are packed or big endian, which is not followed.
+  // False for packed or big endian data, which are not parsed.
   bool read_syntax(const Element& element) {
     std::string text(std::min<std::uint32_t>(element.length, 64), '\0');
     const std::uint64_t before = place_;

@@ -32,7 +32,7 @@ std::optional<ImagePlacement> placement_from(const std::vector<double>& position
   return placement;
 }
 
-// What the functional groups of a frame say; what a group leaves open keeps the value it has.
+// The contents of a frame's functional groups; missing values are unchanged.
 struct FrameGroups {
   std::vector<double> position, cosines, spacing;
   double thickness = 0.0, slope = 1.0, intercept = 0.0;

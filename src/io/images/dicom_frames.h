@@ -12,14 +12,14 @@ class DataSet;
 
 namespace bodkin::io {
 
-// Where an image lies in the patient.
+// The placement of an image in the patient.
 struct ImagePlacement {
   Vec3 position = Vec3::Zero();  // Image Position (Patient), LPS mm of the first pixel
   Vec3 row_direction = Vec3::UnitX(), column_direction = Vec3::UnitY();  // orthonormal, LPS
   double column_spacing = 0.0, row_spacing = 0.0;                        // mm along i and j
 };
 
-// The placement that a single-frame header states; nothing when a part is missing or makes no sense.
+// The placement stated by a single-frame header; empty when a part is missing or invalid.
 std::optional<ImagePlacement> read_placement(const gdcm::DataSet& data);
 
 // One frame of a multi-frame image (DICOM PS3.3 C.7.6.16).
@@ -30,8 +30,8 @@ struct FrameInfo {
   int segment = 0;  // of a segmentation: Referenced Segment Number
 };
 
-// All frames in the order of their pixels, from the functional groups that they share and those of their own. Empty
-// when there are none, or when one does not say where it lies.
+// All frames in the order of their pixels, from their shared and their own functional groups. Empty when there are
+// none, or when the place of one is missing.
 std::vector<FrameInfo> read_frames(const gdcm::DataSet& data);
 
 }  // namespace bodkin::io

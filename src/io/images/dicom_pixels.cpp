@@ -23,15 +23,15 @@
 namespace bodkin::io {
 namespace {
 
-// An image of one value packs into almost nothing, so the bound on compressed slices is wide; it only has to keep a
-// file of a few bytes from asking for gigabytes.
+// A uniform image compresses to almost nothing, so the bound on compressed slices is wide; it only prevents a file of
+// a few bytes from claiming gigabytes.
 constexpr double compressed_limit = 5000.0;
 
 constexpr int workers = 2;  // files decoded at a time
 constexpr std::uintmax_t decoding_memory =
     96U << 20U;  // bytes in addition to the slices' own: stacks and heaps of threads
 
-// The slices that one file holds: one, or the frames of an enhanced image.
+// The slices in one file: one, or the frames of an enhanced image.
 using FileSlices = std::vector<std::size_t>;
 
 std::vector<FileSlices> by_file(const DicomSeries& series) {
@@ -97,7 +97,7 @@ bool read_pixels_within_budget(gdcm::ImageReader& reader) {
   }
 }
 
-// What the first coded piece of the pixels says of its loss, in HU.
+// The compression loss stated in the first coded piece of the pixels, in HU.
 std::optional<CodingError> loss_of(const gdcm::File& file, double slope) {
   const gdcm::Tag pixel_data(0x7fe0, 0x0010);
   if (!file.GetDataSet().FindDataElement(pixel_data)) return std::nullopt;
@@ -113,7 +113,7 @@ std::optional<CodingError> loss_of(const gdcm::File& file, double slope) {
   return error;
 }
 
-// What one thread gathers.
+// The accumulators of one thread.
 struct Gathered {
   HounsfieldLosses losses;
   std::optional<CodingError> coding;
@@ -170,7 +170,7 @@ void add(HounsfieldLosses& sum, const HounsfieldLosses& part) {
   sum.not_numbers += part.not_numbers;
 }
 
-// The sentence of the first file, unless one of them is large enough for what its header declares.
+// The error of the first file, unless some file is large enough for its header's claim.
 void require_a_plausible_file(const DicomSeries& series, const std::vector<FileSlices>& files) {
   std::string first;
   for (const FileSlices& slices : files) {
@@ -193,8 +193,8 @@ DecodedSlices decode_slices(const DicomSeries& series, HounsfieldLosses& losses,
   DecodedSlices result;
   result.voxels.assign(series.slices.size() * slice_size, anatomy::lowest_hounsfield);
 
-  // GDCM takes the memory for an element before it knows whether the file holds it. A codec needs a few copies of a
-  // slice.
+  // GDCM allocates the memory for an element before checking that the file contains it. A codec needs a few copies of
+  // a slice.
   std::uintmax_t largest_file = 0, most_frames = 1;
   for (const FileSlices& slices : files) {
     std::error_code error;

@@ -12,7 +12,7 @@
 
 namespace bodkin::io {
 
-// A slice whose pixels are missing, damaged, or not one number each.
+// A slice whose pixels are missing, damaged, or not single numbers.
 struct DamagedSlice {
   std::size_t slice = 0;  // position in the series
   std::string sentence;   // names the file and says what is wrong
@@ -21,7 +21,7 @@ struct DamagedSlice {
 struct DecodedSlices {
   std::vector<std::int16_t> voxels;   // HU, slice by slice, row by row; air in damaged slices
   std::vector<DamagedSlice> damaged;  // in the order of the slices
-  std::optional<CodingError> coding;  // the largest of all slices, HU; nothing when no code states a loss
+  std::optional<CodingError> coding;  // the largest of all slices, HU; empty when no code states a loss
 };
 
 // Decodes the pixels of every slice of a series, in the order given. All transfer syntaxes of GDCM are read (raw,

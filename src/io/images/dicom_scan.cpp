@@ -23,11 +23,11 @@ namespace {
 
 constexpr std::size_t most_files = 20000;
 constexpr int deepest_folder = 8;
-constexpr std::uintmax_t whole_memory = 512U << 20U;  // bytes that a deflated file may take, with its pixels
-constexpr std::uintmax_t header_memory =
-    32U << 20U;  // bytes that reading a header may take in addition to the file's own
+constexpr std::uintmax_t whole_memory = 512U << 20U;  // bytes allowed for a deflated file with its pixels
+constexpr std::uintmax_t header_memory = 32U
+                                         << 20U;  // bytes allowed for reading a header, in addition to the file's own
 
-// Whether the first bytes are those of a DICOM file; spares GDCM (and its patience) everything else.
+// Whether the first bytes are those of a DICOM file; spares GDCM all other files.
 bool is_dicom(const std::filesystem::path& file) {
   try {
     return detect_image_format(file) == ImageFormat::dicom;
@@ -36,8 +36,8 @@ bool is_dicom(const std::filesystem::path& file) {
   }
 }
 
-// Reads the tags that are wanted, and may read others. Where a file ends before the last of them, and in a deflated
-// one, GDCM aborts unless it reads everything.
+// Reads the requested tags, and perhaps others. If a file ends before the last of them, or is deflated, GDCM fails
+// unless it reads everything.
 bool read_tags(gdcm::Reader& reader, const std::filesystem::path& file, const std::set<gdcm::Tag>& wanted) {
   const bool ends_early = dicom_extent(file).last_tag <= wanted.rbegin()->GetElementTag();
   return ends_early ? reader.Read() : reader.ReadSelectedTags(wanted);
@@ -56,7 +56,7 @@ bool parallel(const ImagePlacement& a, const ImagePlacement& b) {
          (a.row_direction - b.row_direction).norm() < 1e-3 && (a.column_direction - b.column_direction).norm() < 1e-3;
 }
 
-// Makes each frame of an enhanced image a slice, if every one says where it lies and all are parallel.
+// Makes each frame of an enhanced image a slice, if all state their positions and are parallel.
 void add_frames(DicomSeries& series) {
   static const std::set<gdcm::Tag> wanted = {{0x5200, 0x9229}, {0x5200, 0x9230}};
   const DicomSlice file = series.slices.front();
@@ -84,7 +84,7 @@ void add_frames(DicomSeries& series) {
   }
 }
 
-// One file's header: a series of a single slice. Nothing when it is damaged.
+// One file's header: a series of a single slice. Nothing if it is damaged.
 std::optional<DicomSeries> read_header(const std::filesystem::path& file) {
   static const std::set<gdcm::Tag> wanted = {{0x0008, 0x0016}, {0x0008, 0x0018}, {0x0008, 0x0060}, {0x0008, 0x103e},
                                              {0x0018, 0x0050}, {0x0020, 0x000e}, {0x0020, 0x0011}, {0x0020, 0x0032},
@@ -145,7 +145,7 @@ bool belong_together(const DicomSeries& a, const DicomSeries& b) {
          (a.row_direction - b.row_direction).norm() < 1e-3 && (a.column_direction - b.column_direction).norm() < 1e-3;
 }
 
-// Single files of a series that do not say where they lie, although most of the series does, are damaged.
+// Single files without a position, in a series whose files mostly have one, are damaged.
 void set_strays_aside(DicomFolder& folder) {
   const auto stray = [&](const DicomSeries& one) {
     return !one.placed && std::any_of(folder.series.begin(), folder.series.end(), [&](const DicomSeries& other) {

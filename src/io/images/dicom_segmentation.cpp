@@ -119,7 +119,7 @@ Segmentation read_frames_of(const std::filesystem::path& path) {
   return found;
 }
 
-// The lattice of the frames, and in which of its slices each of them lies.
+// The lattice of the frames, and the slice of each frame.
 struct FrameLattice {
   anatomy::Grid grid;
   std::vector<int> slice;
@@ -177,7 +177,7 @@ FrameLattice frame_lattice(const Segmentation& found) {
   return lattice;
 }
 
-// The segments by size, the largest first: the smaller is drawn over it.
+// The segments by size, largest first: smaller ones are drawn over it.
 std::vector<int> drawing_order(const Segmentation& found) {
   std::map<int, std::size_t> sizes;
   for (std::size_t n = 0; n < found.frames.size(); ++n) {

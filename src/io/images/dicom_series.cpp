@@ -24,7 +24,7 @@ std::string named(const std::vector<std::filesystem::path>& files) {
   return files.front().filename().string() + more;
 }
 
-// The series to read: the one asked for, or the only one there is.
+// The series to read: the requested one, or the only one.
 DicomSeries chosen_series(const DicomFolder& folder, const std::string& name, const DicomOptions& options,
                           std::vector<std::string>& notes) {
   if (folder.series.empty()) {
@@ -83,7 +83,7 @@ void require_ct_stack(const DicomSeries& series, const std::string& name, const 
   }
 }
 
-// The coordinate along the axis of the patient that the normal is nearest to.
+// The coordinate along the patient's axis nearest to the normal.
 double along(const Vec3& position, const Vec3& normal) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -138,7 +138,7 @@ SliceStack stack_of(const DicomSeries& series) {
   return stack;
 }
 
-// Refuses what cannot be repaired and says what will be.
+// Refuses irreparable defects and reports repairs.
 void judge_geometry(const SliceStack& stack, const StackGeometry& geometry, const DicomFolder& folder,
                     const DicomOptions& options, std::vector<std::string>& notes) {
   const std::string name = folder.path.string();
@@ -202,8 +202,8 @@ Lattice lattice_of(const DicomSeries& series, const DicomFolder& folder, const D
   return lattice;
 }
 
-// Leaves damaged slices out where the rest is still a stack without gaps, as at its ends; with --fill-missing
-// anywhere. Throws InputError with the sentence on the first of them where not.
+// Omits damaged slices if the rest is still a stack without gaps, as at its ends; with --fill-missing anywhere.
+// Otherwise throws InputError with the sentence about the first of them.
 void leave_out_damaged(DicomSeries& series, DecodedSlices& decoded, const DicomOptions& options,
                        std::vector<std::string>& notes) {
   if (decoded.damaged.empty()) return;
@@ -241,7 +241,7 @@ void leave_out_damaged(DicomSeries& series, DecodedSlices& decoded, const DicomO
 // room: 1.3 in root mean square and 7.9 at most were found (docs/importing.md).
 constexpr double jpeg_2000_typical = 1.5, jpeg_2000_largest = 10.0;
 
-// What is known of the loss of a series that was compressed with loss.
+// The known loss of a series with lossy compression.
 void note_loss(const DicomSeries& series, const std::optional<CodingError>& coding, std::vector<std::string>& notes) {
   const std::string ratio = series.lossy_ratio > 1.0 ? fmt::format(", {:.3g}:1", series.lossy_ratio) : "";
   if (coding) {
@@ -256,10 +256,10 @@ void note_loss(const DicomSeries& series, const std::optional<CodingError>& codi
         "were off by less than {:.2g} HU (root mean square) and {:.0f} HU at most, the most at edges.",
         ratio, jpeg_2000_typical * series.lossy_ratio, jpeg_2000_largest * series.lossy_ratio));
   } else if (series.lossy) {
-    notes.push_back(fmt::format(
-        "The series was compressed with loss{}; the file does not tell how far values are off: edges of thin layers "
-        "may be blurred by about a voxel, and values there be off by tens of HU.",
-        ratio));
+    notes.push_back(
+        fmt::format("The series was compressed with loss{}; the file does not say how far values are off: edges of "
+                    "thin layers may be blurred by about a voxel, and values there may be off by tens of HU.",
+                    ratio));
   }
 }
 
@@ -275,7 +275,7 @@ std::string extent_text(const DicomSeries& series) {
                      along(high->position, normal));
 }
 
-// The folder of a series as seen from the one that was scanned; empty when it is that one.
+// The folder of a series relative to the scanned one; empty if it is that one.
 std::string folder_text(const DicomSeries& series, const std::filesystem::path& scanned) {
   std::error_code error;
   const std::filesystem::path below =
@@ -307,7 +307,7 @@ DicomVolume read_dicom(const std::filesystem::path& path, const DicomOptions& op
   require_ct_stack(series, name, options);
   order_slices(series, name, result.notes);
 
-  // Refused before any pixel is read where the geometry cannot be mended.
+  // Irreparable geometry is refused before any pixel is read.
   std::vector<std::string> mended;
   static_cast<void>(lattice_of(series, folder, options, mended));
 

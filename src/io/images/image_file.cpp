@@ -19,7 +19,7 @@ namespace bodkin::io {
 namespace {
 
 // niftilib derives file names from file names: asked for a.nii.gz it may read the voxels of an a.nii in the same
-// folder it. So it is shown a link of a name that nothing else has, in a folder of its own.
+// folder. So it is given a link with a unique name in a separate folder.
 class PrivateLink {
  public:
   PrivateLink(const std::filesystem::path& file, const std::string& name) : path_(folder_.path() / name) {
@@ -103,8 +103,8 @@ VoxelBuffer read_voxels(itk::ImageIOBase& io, std::size_t count) {
   return voxels;
 }
 
-// niftilib turns what is not a number into 0, which in a CT is water, so these voxels are read here. gzread also
-// reads files that are not packed.
+// niftilib turns NaN into 0, which in a CT is water, so these voxels are read here. gzread also reads uncompressed
+// files.
 template <typename Voxel>
 VoxelBuffer read_floats(const std::filesystem::path& file, const StoredFloats& stored, std::size_t count,
                         const std::string& name) {

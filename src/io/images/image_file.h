@@ -11,7 +11,7 @@
 
 namespace bodkin::io {
 
-// Voxels in the type that the file stores, i fastest.
+// Voxels in the type stored in the file, i fastest.
 using VoxelBuffer =
     std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
                  std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<std::uint32_t>,
@@ -22,9 +22,9 @@ struct ImageFile {
   VoxelBuffer voxels;
 };
 
-// Reads one NIfTI, NRRD or MetaImage file: three-dimensional (or four with a single frame), one number a voxel. The
-// geometry is carried exactly, cleaned of rounding noise (clean_grid). Throws InputError, one sentence, before it
-// takes memory for voxels that the file cannot hold.
+// Reads one NIfTI, NRRD or MetaImage file: three-dimensional (or four with a single frame), one number per voxel. The
+// geometry is kept exactly, cleaned of rounding noise (clean_grid). Throws InputError, one sentence, before it
+// allocates memory for voxels that the file cannot contain.
 ImageFile read_image_file(const std::filesystem::path& file);
 
 }  // namespace bodkin::io

@@ -75,7 +75,7 @@ ImageFormat detect_image_format(const std::filesystem::path& file) {
   if (bytes.empty()) throw InputError(fmt::format("{}: this file is empty", file.string()));
   if (bytes.size() >= dicom_preamble + 4 && bytes.compare(dicom_preamble, 4, "DICM") == 0) return ImageFormat::dicom;
   if (bytes.starts_with("NRRD000")) return ImageFormat::nrrd;
-  // A gzip stream: of the formats that Bodkin reads only NIfTI is packed whole; inspect_nifti looks inside.
+  // A gzip stream: of Bodkin's formats only NIfTI is compressed as a whole; inspect_nifti checks the contents.
   if (bytes.starts_with("\x1F\x8B") || looks_like_nifti(bytes)) return ImageFormat::nifti;
   if (looks_like_meta_image(bytes)) return ImageFormat::meta_image;
   if (looks_like_bare_dicom(bytes)) return ImageFormat::dicom;

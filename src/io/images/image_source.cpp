@@ -20,7 +20,7 @@ bool holds_dicom(const std::filesystem::path& path) {
   return detect_image_format(path) == ImageFormat::dicom;
 }
 
-// The one segmentation or structure set of a folder or file; nothing when there is none.
+// The only segmentation or structure set of a folder or file; nothing if there is none.
 std::optional<DicomObject> annotation_of(const std::filesystem::path& path, const Progress& progress) {
   const DicomFolder folder = scan_dicom(path, progress);
   std::vector<DicomObject> found;

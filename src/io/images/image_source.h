@@ -11,7 +11,7 @@
 
 namespace bodkin::io {
 
-// A CT as read from a file or a DICOM folder.
+// A CT read from a file or a DICOM folder.
 struct CtImage {
   anatomy::CtVolume ct;
   bool resampled = false;  // voxels lie on a grid of our own (see DicomVolume)
@@ -21,12 +21,12 @@ struct CtImage {
 // Reads a CT from a DICOM folder, or a NIfTI, NRRD, MetaImage or single DICOM file. HU as int16. Throws InputError.
 CtImage read_ct(const std::filesystem::path& path, const DicomOptions& options = {}, const Progress& progress = {});
 
-// Reads the labels of the CT on lattice `ct` from any of the same, or from a DICOM segmentation or structure set,
-// also where it is the only one in a DICOM folder. Throws InputError.
+// Reads the labels of the CT on lattice `ct` from any of these, or from a DICOM segmentation or structure set, also
+// if it is the only one in a DICOM folder. Throws InputError.
 NamedLabels read_named_labels(const std::filesystem::path& path, const anatomy::Grid& ct,
                               const Progress& progress = {});
 
-// Reads labels without their names; a structure set has none of its own lattice and is refused. Throws InputError.
+// Reads labels without their names; a structure set has no lattice of its own and is rejected. Throws InputError.
 anatomy::LabelVolume read_labels(const std::filesystem::path& path, const Progress& progress = {});
 
 // Reads tissue ids from a NIfTI, NRRD or MetaImage file. Throws InputError.

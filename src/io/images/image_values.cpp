@@ -23,7 +23,7 @@ anatomy::Volume<Voxel> on_grid(const anatomy::Grid& grid, std::vector<Voxel>&& v
   return volume;
 }
 
-// Each voxel of `source` through `convert`, on the same grid.
+// Applies `convert` to each voxel of `source`, on the same grid.
 template <typename Target, typename Convert>
 anatomy::Volume<Target> converted(ImageFile&& image, const Convert& convert) {
   anatomy::Volume<Target> result;
@@ -38,7 +38,7 @@ anatomy::Volume<Target> converted(ImageFile&& image, const Convert& convert) {
   return result;
 }
 
-// Labels and tissues of floating point have no other way to say "nothing" than zero and NaN, so NaN becomes 0.
+// In floating-point labels and tissues NaN can only mean "none", so it becomes 0.
 template <typename Target>
 anatomy::Volume<Target> whole_numbers(ImageFile&& image, const std::string& name, const char* what) {
   if (auto* same = std::get_if<std::vector<Target>>(&image.voxels)) return on_grid(image.grid, std::move(*same));

@@ -44,7 +44,7 @@ struct Header {
   float pixdim(std::size_t i) const { return at<float>(76 + 4 * i); }
 };
 
-// gzread also reads files that are not packed.
+// gzread also reads uncompressed files.
 Bytes read_nifti_header(const std::filesystem::path& file) {
   const GzipStream stream(gzopen(file.c_str(), "rb"));
   if (!stream) throw InputError(fmt::format("{}: this file cannot be opened", file.string()));
@@ -130,7 +130,7 @@ void check_qform(const Header& header, const std::string& name) {
   }
 }
 
-// Bytes of a voxel of a NIfTI datatype that is one plain number, or 0.
+// Bytes per voxel of a NIfTI datatype of one plain number; 0 for others.
 std::size_t voxel_size(int datatype) {
   switch (datatype) {
     case 2:
@@ -160,7 +160,7 @@ void check_voxel_type(const Header& header, const std::string& name) {
                                colour ? "colours" : "not plain numbers", datatype));
 }
 
-// Nothing for voxels that are whole numbers.
+// Nothing for integer voxels.
 std::optional<StoredFloats> stored_floats(const Header& header) {
   const auto datatype = header.at<std::int16_t>(70);
   if (datatype != 16 && datatype != 64) return std::nullopt;
@@ -168,7 +168,7 @@ std::optional<StoredFloats> stored_floats(const Header& header) {
   floats.bytes = datatype == 16 ? 4 : 8;
   floats.offset = static_cast<std::uintmax_t>(std::min(header.at<float>(108), 1e9F));
   floats.swapped = header.swapped;
-  // A slope of zero, or one that is no number, means that the values are not scaled.
+  // A slope of zero or NaN means that the values are not scaled.
   const auto slope = header.at<float>(112), intercept = header.at<float>(116);
   if (std::isfinite(slope) && slope != 0.0F) {
     floats.slope = slope;

@@ -15,8 +15,8 @@
 #include "io/images/inflated_size.h"
 #include "io/text_encoding.h"
 
-// NRRD (teem.sourceforge.net/nrrd/format.html) and MetaImage both start with lines of text, "key: value" and
-// "Key = Value". Only what makes a file unsafe or ambiguous is looked at here; ITK reads the rest.
+// NRRD (teem.sourceforge.net/nrrd/format.html) and MetaImage both start with lines of text, "key: value" and "Key =
+// Value". Only unsafe or ambiguous contents are checked here; ITK reads the rest.
 
 namespace bodkin::io {
 namespace {
@@ -125,7 +125,7 @@ void require_number_type(const TextHeader& header, const std::string& name) {
                                type == nullptr ? "" : printable(*type)));
 }
 
-// Where a detached header keeps its voxels: a plain file in the same folder, never elsewhere.
+// The voxel file of a detached header: a plain file in the same folder, never elsewhere.
 std::filesystem::path data_beside(const std::filesystem::path& file, const std::string& value) {
   const std::filesystem::path data = value;
   const bool plain = !value.empty() && data == data.filename() && value != ".." && value != "." &&
@@ -144,7 +144,7 @@ std::filesystem::path data_beside(const std::filesystem::path& file, const std::
   return full;
 }
 
-// Voxel bytes from `offset` on, unpacked when they are packed.
+// Voxel bytes from `offset` on, decompressed if necessary.
 double voxel_bytes(const std::filesystem::path& file, std::uintmax_t offset, bool packed, const std::string& name) {
   const std::uintmax_t size = std::filesystem::file_size(file);
   if (!packed) return static_cast<double>(size - std::min(size, offset));

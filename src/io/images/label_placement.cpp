@@ -11,8 +11,7 @@
 namespace bodkin::io {
 namespace {
 
-constexpr double lattice_tolerance =
-    0.1;  // voxels: what single precision and rounded headers leave over, and no more
+constexpr double lattice_tolerance = 0.1;  // voxels: only the errors of single precision and rounded headers
 
 // Index of a voxel of one lattice as a function of the index in another: matrix * index + offset.
 struct IndexMap {
@@ -30,7 +29,7 @@ Vec3 corner_of(const anatomy::Grid& grid, int corner) {
           (corner & 4) != 0 ? grid.size[2] - 1.0 : 0.0};
 }
 
-// Largest distance, in voxels of the target, between where a map and its whole-number version put a corner.
+// Largest distance, in target voxels, between the corners of a map and of its whole-number version.
 double misfit(const IndexMap& map, const IndexMap& whole, const anatomy::Grid& from) {
   double worst = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -64,7 +63,7 @@ std::string describe(const anatomy::Grid& grid) {
                      grid.axes(), centre.x(), centre.y(), centre.z());
 }
 
-// Copies labels by index. Returns how many labelled voxels fell outside the CT.
+// Copies labels by index. Returns the number of labelled voxels outside the CT.
 std::size_t copy_by_index(const anatomy::LabelVolume& labels, const IndexMap& whole, anatomy::LabelVolume& result) {
   std::array<std::array<int, 3>, 3> step{};  // [axis of the CT][axis of the labels]
   std::array<int, 3> offset{};

@@ -15,7 +15,7 @@ constexpr bool limits_memory = false;  // the sanitizer maps terabytes that it n
 constexpr bool limits_memory = true;
 #endif
 
-// Bytes of private writable memory in use; 0 when the system does not say.
+// Bytes of private writable memory in use; 0 if unknown.
 std::uint64_t in_use() {
   // Pages: size, resident, shared, text, library, data and stack.
   std::array<std::uint64_t, 6> pages{};

@@ -8,7 +8,7 @@
 namespace bodkin::io {
 namespace {
 
-constexpr double drift_tolerance = 0.1;  // pixels: less shear than this moves nothing that can be seen
+constexpr double drift_tolerance = 0.1;  // pixels: less shear has no visible effect
 constexpr double step_tolerance = 0.02;  // of a step: positions are often written rounded to 0.01 mm
 constexpr double multiple_tolerance = 0.05;
 constexpr double many_gaps = 0.2;  // more wide steps than this are a change of protocol, not lost slices
@@ -27,7 +27,7 @@ std::pair<double, double> drift(const SliceStack& stack, std::size_t slice) {
           moved.dot(stack.column_direction) / stack.row_spacing};
 }
 
-// Steps that are whole multiples of the smallest one, with few of them wide: slices are missing there.
+// Steps that are whole multiples of the smallest one, few of them wide: slices are missing there.
 std::vector<std::size_t> find_gaps(const std::vector<double>& steps, double smallest) {
   std::vector<std::size_t> gaps;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -114,7 +114,7 @@ anatomy::Grid resampled_grid(const SliceStack& stack, const StackGeometry& geome
     least_i = std::min(least_i, across), most_i = std::max(most_i, across);
     least_j = std::min(least_j, down), most_j = std::max(most_j, down);
   }
-  const double whole = 1e-6;  // drifts that are whole pixels but for rounding need no further pixel
+  const double whole = 1e-6;  // whole-pixel drifts, up to rounding, need no further pixel
   const double start_i = std::floor(least_i + whole), start_j = std::floor(least_j + whole);
   const double steps = std::floor(heights(stack).back() / geometry.step + step_tolerance);
   const auto clamped = [](double size) { return static_cast<int>(std::min(size, 1e6)); };

@@ -6,12 +6,12 @@
 
 #include "anatomy/volume.h"
 
-// A stack of parallel slices as a scanner leaves it. A regular stack is a Grid; a sheared one (gantry tilt) or one
-// with uneven steps is not, and is resampled onto one.
+// A stack of parallel slices from a scanner. A regular stack is a Grid; a sheared one (gantry tilt) or one with
+// uneven steps is not, and is resampled onto one.
 
 namespace bodkin::io {
 
-// What all slices of a stack share, and where each one is.
+// The common properties of a stack's slices, and their positions.
 struct SliceStack {
   int columns = 0, rows = 0;
   double column_spacing = 1.0, row_spacing = 1.0;  // mm along i (between columns) and j (between rows)
@@ -22,15 +22,15 @@ struct SliceStack {
   Vec3 normal() const { return row_direction.cross(column_direction); }
 };
 
-// What is irregular about a stack.
+// The irregularities of a stack.
 struct StackGeometry {
   double step = 1.0;              // mm along the normal: mean of a regular stack, median of an uneven one
   double smallest_step = 1.0;     // mm
   double largest_step = 1.0;      // mm
-  double shear_angle = 0.0;       // degrees between the line of positions and the normal; 0 when not sheared
+  double shear_angle = 0.0;       // degrees between the line of positions and the normal; 0 if not sheared
   bool sheared = false;           // positions drift across the slice by more than a tenth of a pixel
-  bool uneven = false;            // a slice is off its regular place by more than 2 % of the step
-  std::vector<std::size_t> gaps;  // slices are missing behind these (0-based); uneven is then true
+  bool uneven = false;            // a slice is off its regular position by more than 2 % of the step
+  std::vector<std::size_t> gaps;  // slices are missing after these (0-based); uneven is then true
   bool regular() const { return !sheared && !uneven; }
 };
 
@@ -40,12 +40,12 @@ StackGeometry measure_stack(const SliceStack& stack, double thickness);
 // The lattice of a regular stack.
 anatomy::Grid regular_grid(const SliceStack& stack, const StackGeometry& geometry);
 
-// The lattice onto which an irregular stack is resampled: the stack's in-plane spacing and step, large enough to hold
-// every slice. Sizes are clamped to a million, so that absurd positions can be noticed.
+// The lattice onto which an irregular stack is resampled: the stack's in-plane spacing and step, large enough to
+// contain every slice. Sizes are clamped to a million, so that absurd positions can be detected.
 anatomy::Grid resampled_grid(const SliceStack& stack, const StackGeometry& geometry);
 
 // Resamples the slices of a stack (voxels slice by slice) onto its resampled_grid: bilinear within a slice, linear
-// between slices; a slice that already lies where the grid wants one is only shifted. `outside` fills the rest.
+// between slices; a slice already at a position of the grid is only shifted. `outside` fills the rest.
 anatomy::CtVolume resample_stack(const SliceStack& stack, const anatomy::Grid& grid,
                                  std::span<const std::int16_t> voxels, std::int16_t outside);
 

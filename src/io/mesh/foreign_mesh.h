@@ -12,14 +12,14 @@
 
 namespace bodkin::io {
 
-// A mesh as a file of another program gives it: its region numbers have the meaning that program chose. Coordinates
-// are finite and within 1e5 mm, corners are nodes and differ from each other.
+// A mesh from a file of another program, with that program's region numbers. Coordinates are finite and within 1e5
+// mm, corners are nodes and differ from each other.
 struct ForeignMesh {
-  std::vector<Vec3> nodes;  // as in the file, taken for LPS mm
+  std::vector<Vec3> nodes;  // as in the file, assumed to be LPS mm
   std::vector<std::array<std::uint32_t, 4>> elements;
   std::vector<std::int64_t> regions;          // one per element
-  std::map<std::int64_t, std::string> names;  // of regions, where the file has any
-  std::vector<std::string> notes;             // what was left out or assumed, one sentence each
+  std::map<std::int64_t, std::string> names;  // of regions, if the file has any
+  std::vector<std::string> notes;             // omissions and assumptions, one sentence each
 };
 
 inline constexpr std::size_t most_mesh_nodes = 4'000'000;
@@ -34,8 +34,8 @@ ForeignMesh read_foreign_mesh(const std::filesystem::path& file);
 ForeignMesh parse_gmsh(std::string_view text, const std::string& origin);
 
 // VTK's XML format for unstructured grids: one piece; arrays as ascii, binary, or appended (base64 or raw), plain or
-// packed by zlib. The region is the cell array `tissue`, or else the first of "gmsh:physical", "medit:ref", "region",
-// "material", "label" that there is, or else the only one of whole numbers.
+// packed by zlib. The region is the cell array `tissue`, or else the first existing one of "gmsh:physical",
+// "medit:ref", "region", "material", "label", or else the only array of whole numbers.
 ForeignMesh parse_vtu(std::string_view bytes, const std::string& origin);
 
 // A mesh as such a file: ascii, cell array `tissue`; numbers read back to the same bits.

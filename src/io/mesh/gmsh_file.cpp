@@ -67,7 +67,7 @@ class Words {
       fail(fmt::format("{} is {}, expected a number", what, in_quotes(word)));
     return value;
   }
-  // A number of things, each of which needs some bytes of what is left of the file.
+  // A count of items, each of which needs some of the remaining bytes.
   std::size_t count(const char* what, std::size_t most, std::size_t least_bytes) {
     const std::int64_t value = whole(what);
     if (value < 0 || static_cast<std::uint64_t>(value) > most)
@@ -132,7 +132,7 @@ class GmshReader {
  private:
   void format() {
     if (words_.next() != "$MeshFormat") {
-      fail_at(origin_, 1, "the file does not begin with $MeshFormat; it is no mesh of Gmsh");
+      fail_at(origin_, 1, "the file does not begin with $MeshFormat; it is not a mesh of Gmsh");
     }
     const std::string version(words_.next());
     if (version != "2.2" && version != "4.1") {

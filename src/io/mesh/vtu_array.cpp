@@ -51,7 +51,7 @@ class Base64 {
  public:
   Base64(std::string_view text, const std::string& where) : text_(text), where_(where) {}
 
-  // The next `count` bytes; a piece ends with them.
+  // The next `count` bytes, which end a piece.
   std::string take(std::size_t count) {
     if (count > text_.size()) fail_short();
     std::string bytes;
@@ -63,7 +63,7 @@ class Base64 {
         const char c = next();
         const int value = value_of(c);
         if (c != '=' && value < 0)
-          throw InputError(fmt::format("{}: {} is no base64", where_, in_quotes(std::string_view(&c, 1))));
+          throw InputError(fmt::format("{}: {} is not base64", where_, in_quotes(std::string_view(&c, 1))));
         group = group << 6U | static_cast<std::uint32_t>(c == '=' ? 0 : value);
         if (c != '=') ++given;
       }
@@ -119,7 +119,7 @@ std::vector<std::uint64_t> sizes_in(const std::string& bytes, bool is_long) {
 
 std::string unpack(const std::string& packed, std::size_t size, const std::string& where) {
   if (size > packed.size() * most_packed + 64)
-    throw InputError(fmt::format("{}: a packed block says that it holds {} bytes, which cannot be", where, size));
+    throw InputError(fmt::format("{}: a packed block says that it holds {} bytes, which is impossible", where, size));
   std::string bytes(size, '\0');
   uLongf written = size;
   const int outcome = uncompress(reinterpret_cast<Bytef*>(bytes.data()), &written,
@@ -149,8 +149,8 @@ std::string payload(Source source, const VtuStorage& storage, std::size_t most, 
   if (blocks > most) too_large(blocks);
   const std::vector<std::uint64_t> sizes =
       sizes_in(source.take((3 + static_cast<std::size_t>(blocks)) * width), storage.long_headers);
-  // The size of a whole block may be more than there is (writers state their usual one), and what hardly packs can
-  // grow by it.
+  // The stated size of a whole block may exceed the data (writers state their usual one), and incompressible data can
+  // grow.
   const std::uint64_t block = sizes[1], last = sizes[2];
   const std::uint64_t most_packed_size = most * 2 + 65536;
   std::string packed_all, bytes;
@@ -183,7 +183,7 @@ template <typename Value>
 std::vector<Value> from_bytes(const std::string& bytes, const NumberType& type, const std::string& where) {
   if (bytes.size() % type.bytes != 0) {
     throw InputError(
-        fmt::format("{}: the data has {} bytes, which is no whole number of {}", where, bytes.size(), type.name));
+        fmt::format("{}: the data has {} bytes, which is not a whole number of {}", where, bytes.size(), type.name));
   }
   std::vector<Value> values(bytes.size() / type.bytes);
   const std::string_view name = type.name;

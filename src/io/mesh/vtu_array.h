@@ -7,14 +7,14 @@
 
 namespace bodkin::io {
 
-// How the arrays of a VTK XML file are stored.
+// The storage format of the arrays of a VTK XML file.
 struct VtuStorage {
   bool big_endian = false;
   bool long_headers = false;  // sizes before binary data have 8 bytes rather than 4
   bool packed = false;        // by zlib
 };
 
-// One array, as its element gives it.
+// One array, as described by its element.
 struct VtuArray {
   std::string name;    // for messages
   std::string type;    // "Float32", "Int64", ...
@@ -27,14 +27,14 @@ struct VtuArray {
 // The appended data behind the underscore.
 struct VtuAppended {
   std::string_view bytes;
-  bool raw = false;  // else base64
+  bool raw = false;  // otherwise base64
 };
 
-// The values of an array; at most `most` are taken, and there must be `expected` (any number when it is 0). `where`
-// begins every message. Throws InputError.
+// The values of an array; at most `most` are read, and there must be `expected` (any number when it is 0). `where` is
+// the prefix of every message. Throws InputError.
 std::vector<double> vtu_numbers(const VtuArray& array, const VtuStorage& storage, const VtuAppended& appended,
                                 std::size_t expected, std::size_t most, const std::string& where);
-// The same for an array whose type is one of whole numbers.
+// As vtu_numbers(), for an array of a whole-number type.
 std::vector<std::int64_t> vtu_wholes(const VtuArray& array, const VtuStorage& storage, const VtuAppended& appended,
                                      std::size_t expected, std::size_t most, const std::string& where);
 

@@ -37,7 +37,7 @@ struct ContextEnd {
   void operator()(xmlParserCtxt* context) const { xmlFreeParserCtxt(context); }
 };
 
-// The file with its appended data, which may be no XML, cut out.
+// The file without its appended data, which may not be XML.
 struct SplitFile {
   std::string xml;
   VtuAppended appended;
@@ -75,13 +75,13 @@ class VtuReader {
       const xmlError* problem = xmlCtxtGetLastError(context.get());
       fail_at(
           origin_, problem == nullptr ? 0 : problem->line,
-          fmt::format("this is no well-formed XML ({})",
+          fmt::format("this is not well-formed XML ({})",
                       problem == nullptr || problem->message == nullptr ? "damaged" : one_line(problem->message)));
     }
     if (document->intSubset != nullptr) fail_at(origin_, 1, "there is a document type, expected none");
     const xmlNode* root = xmlDocGetRootElement(document.get());
     if (root == nullptr || content(root->name) != "VTKFile" || attribute(root, "type") != "UnstructuredGrid") {
-      fail_at(origin_, 1, "this is no VTKFile of type UnstructuredGrid, expected a .vtu file");
+      fail_at(origin_, 1, "this is not a VTKFile of type UnstructuredGrid, expected a .vtu file");
     }
     storage_.big_endian = attribute(root, "byte_order") == "BigEndian";
     storage_.long_headers = attribute(root, "header_type") == "UInt64";

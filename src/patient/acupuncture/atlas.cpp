@@ -19,7 +19,7 @@ namespace tissue = anatomy::tissue;
 constexpr double looked_under = 80.0;  // mm
 constexpr double skull_base = 1570.0;  // drawn mm
 
-// As the colours of the five phases are usually chosen, spread so that neighbours differ.
+// Usual colours of the five phases, varied so that neighbours differ.
 struct MeridianColour {
   std::string_view code;
   std::uint32_t colour;
@@ -96,7 +96,7 @@ Atlas::Atlas(const BodyParameters& parameters) : table_(read_point_table()) {
       if (meridian_code(point.code) != one.code) continue;
       meridian.name = point.meridian;
       meridian.bilateral = point.bilateral;
-      // Where the standard numbering goes on from another point than the one before.
+      // Points where the standard numbering continues from another point than the previous one.
       const std::string_view jump = point.code == "ST9"    ? "ST5"
                                     : point.code == "BL41" ? "BL10"
                                     : point.code == "BL55" ? "BL40"
@@ -185,7 +185,7 @@ Needling Atlas::needling(const AtlasPoint& point) const {
     const NeedlingRow& row = at->second;
     result = {row.shallowest, row.deepest, row.angle, row.direction, row.caution, row.source, false, {}};
   } else {
-    // Half a cun to one, short of bone, and well short of what must not be hit; oblique where that leaves little.
+    // Half a cun to one, short of bone, and well short of forbidden structures; oblique if that leaves little.
     constexpr double least = 5.0, usual_cun = 1.0, before_bone = 1.0, before_danger = 6.0;
     const double cun = shape_->parameters().height * 1000.0 / 75.0;
     double deepest = usual_cun * cun;
@@ -212,7 +212,7 @@ Needling Atlas::needling(const AtlasPoint& point) const {
 anatomy::NeedlePath Atlas::path(const AtlasPoint& point) const {
   const Needling how = needling(point);
   double depth = 0.5 * (how.shallowest + how.deepest);
-  // A published depth knows nothing of this body.
+  // A published depth does not account for this body.
   const double straight_in = -how.axis.dot(point.normal);
   if (point.bone_depth) depth = std::min(depth, (*point.bone_depth - 2.0) / straight_in);
   if (point.danger_depth) depth = std::min(depth, (*point.danger_depth - 4.0) / straight_in);

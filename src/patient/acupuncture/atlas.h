@@ -14,14 +14,14 @@
 
 namespace bodkin::patient {
 
-// How a point is needled on a body.
+// The needling of a point on a body.
 struct Needling {
   double shallowest = 0.0, deepest = 0.0;  // mm along the needle
   double angle = 90.0;                     // deg to the skin
   std::string direction;                   // in words; empty: straight in
   std::string caution;                     // empty: none is known
   std::string source;
-  bool derived = false;       // from this body's anatomy, because nothing published is at hand
+  bool derived = false;       // from this body's anatomy, because nothing published is available
   Vec3 axis = Vec3::UnitY();  // unit, into the body
 };
 
@@ -31,9 +31,9 @@ struct AtlasPoint {
   bool bilateral = true;
   Vec3 place = Vec3::Zero();    // LPS mm, on the skin, of the left half
   Vec3 normal = Vec3::UnitY();  // unit, outwards
-  // Straight under it, mm; nothing: not within 80 mm.
+  // Straight below it, mm; empty: not within 80 mm.
   std::optional<double> bone_depth, danger_depth;
-  std::string danger;  // what lies there, by the name of its tissue: "lung"
+  std::string danger;  // the name of its tissue: "lung"
 
   Vec3 mirrored() const { return {-place.x(), place.y(), place.z()}; }
 };
@@ -46,31 +46,31 @@ struct Meridian {
   std::vector<std::vector<Vec3>> lines;  // LPS mm
 };
 
-// A body with the 361 standard points and the 14 meridians. Constant once made.
+// A body with the 361 standard points and the 14 meridians. Immutable.
 class Atlas {
  public:
-  // Throws InputError for parameters out of range, and for a table of points that does not read.
+  // Throws InputError for parameters out of range, and for an unreadable table of points.
   explicit Atlas(const BodyParameters& parameters);
 
   const BodyShape& shape() const { return *shape_; }
   const BodyTissues& tissues() const { return *tissues_; }
   const std::vector<AtlasPoint>& points() const { return points_; }
   const std::vector<Meridian>& meridians() const { return meridians_; }
-  // Nothing where there is none of that code or name ("ST36", "st 36", "Zusanli").
+  // nullptr for an unknown code or name ("ST36", "st 36", "Zusanli").
   const AtlasPoint* find(std::string_view code_or_name) const;
-  // By code, name or meridian, however written; "luo": with the luo-connecting points; all of them for no words.
+  // By code, name or meridian, in any spelling; "luo": with the luo-connecting points; all of them for empty words.
   std::vector<const AtlasPoint*> search(std::string_view words) const;
-  // The nearest point, of the right half too, and its distance in mm.
+  // The nearest point, also of the right half, and its distance in mm.
   struct Near {
     const AtlasPoint* point = nullptr;
     bool right = false;
     double distance = 0.0;
   };
   Near nearest(const Vec3& p) const;
-  // How it is needled, and what was published about it.
+  // The needling of a point, including published data.
   Needling needling(const AtlasPoint& point) const;
-  // From the skin to the middle of the depth, or to short of bone and danger where this body has them before that; at
-  // least 3 mm long.
+  // From the skin to the middle of the depth range, or to just before bone and danger if these come first in this
+  // body; at least 3 mm long.
   anatomy::NeedlePath path(const AtlasPoint& point) const;
 
  private:

@@ -25,8 +25,8 @@ Progress part_of(const Progress& progress, double from, double to) {
 }  // namespace
 
 anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wanted, const Progress& teller) {
-  const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
-  const Progress progress = io::until_told_to_end(teller);
+  const io::DeferredTermination deferred;  // ends this process, if a signal asked for it, once the folder is removed
+  const Progress progress = io::until_interrupted(teller);
   const bool whole = wanted.point.empty();
   const AtlasPoint* point = whole ? nullptr : atlas.find(wanted.point);
   if (!whole && point == nullptr) {
@@ -63,7 +63,7 @@ anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wan
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
   const anatomy::TissueVolume tissues =
       body_volume(atlas.shape(), atlas.tissues(), block, part_of(progress, 0.0, 0.4));
-  LumbarSizes adult{};  // for its bone and muscle alone
+  LumbarSizes adult{};  // only for its bone and muscle
   adult.cancellous_factor = adult.cortical_factor = 1.0;
   const anatomy::CtVolume ct = paint_ct(tissues, library, adult, wanted.seed, part_of(progress, 0.4, 0.8));
 

@@ -9,7 +9,7 @@
 
 namespace bodkin::patient {
 
-// A case of a synthetic body: all of it, or a block about a point with the needle's path planned.
+// A case of a synthetic body: the whole body, or a block about a point with the needle's path planned.
 struct BodyCase {
   std::filesystem::path folder;
   bool overwrite = false;
@@ -20,9 +20,9 @@ struct BodyCase {
   std::uint64_t seed = 1;  // of the noise of the HU
 };
 
-// Writes it with the procedure "acupuncture" and a filiform needle of 0.23 mm, long enough for the point. Whole or
-// not at all. Throws InputError for a point that there is not, sizes out of range, and a folder that may not be
-// replaced; SystemError when the disk is at fault.
+// Writes it with the procedure "acupuncture" and a filiform needle of 0.23 mm, long enough for the point. Atomic.
+// Throws InputError for an unknown point, sizes out of range, and a folder that may not be replaced; SystemError for
+// a disk error.
 anatomy::CaseDescription write_body_case(const Atlas& atlas, const BodyCase& wanted, const Progress& progress = {});
 
 }  // namespace bodkin::patient

@@ -11,7 +11,7 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double deep = 20.0;      // mm: from further inside, the skin is looked for on the side that is named
+constexpr double deep = 20.0;      // mm: from further inside, the skin is searched on the named side
 constexpr double walk_step = 1.0;  // mm
 
 bool has(std::string_view text, std::string_view part) {
@@ -30,7 +30,7 @@ std::string_view first_side(const PointRow& row) {
   return std::string_view(row.surface).substr(0, row.surface.find('+'));
 }
 
-// The nearest places of two polylines, on the first.
+// The closest approach of two polylines, as a place on the first.
 Vec3 crossing(const std::vector<Vec3>& line, const std::vector<Vec3>& other) {
   double least = std::numeric_limits<double>::infinity();
   Vec3 best = line.front();
@@ -51,7 +51,7 @@ Vec3 crossing(const std::vector<Vec3>& line, const std::vector<Vec3>& other) {
   return best;
 }
 
-// Height of a line that runs across the body, at a distance from the median plane.
+// Height of a line across the body, at a distance from the median plane.
 double height_at(const BodyLandmark& line, double x) {
   const auto& places = line.places;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
@@ -272,8 +272,8 @@ Vec3 PointPlacer::base(const PointRow& row, bool& across_done) {
   }
   Vec3 place = found.place();
   const bool line_target = is_landmark(row.toward) && landmark(row.toward).kind == BodyLandmark::Kind::line;
-  const bool goes_on = row.along.kind == Cun::Kind::none && !row.toward.empty();
-  if (!row.level_of.empty() && !on_arm(row) && row.region != "foot" && !line_target && !goes_on) {
+  const bool continues = row.along.kind == Cun::Kind::none && !row.toward.empty();
+  if (!row.level_of.empty() && !on_arm(row) && row.region != "foot" && !line_target && !continues) {
     place.z() = level(row);
     const std::string_view side = first_side(row);
     if (side == "anterior") place = scale * skin.front(place.x() / scale, place.z() / scale);
@@ -290,7 +290,7 @@ Vec3 PointPlacer::step_along(const PointRow& row, const Vec3& from) {
   if (is_direction) {
     const Vec3 way = direction(row.toward, row);
     if (row.along.kind == Cun::Kind::none) {
-      // On until the height of the level, seen from the point's side.
+      // Continues to the height of the level, seen from the point's side.
       BodyLandmarks unused;
       const SkinFinder skin(shape_, unused);
       const double scale = shape_.scale(), z = level(row) / scale;

@@ -13,10 +13,10 @@ namespace bodkin::patient {
 // rules). LPS mm, on the skin of the left half; points of the right half are mirror images. One thread.
 class PointPlacer {
  public:
-  // All three must outlive it.
+  // All three must outlive this object.
   PointPlacer(const PointTable& table, const BodyShape& shape, const BodyLandmarks& landmarks);
 
-  // Throws InputError for a code that the table does not have, and for a row that names what is no landmark.
+  // Throws InputError for an unknown code, and for a row with an unknown landmark.
   Vec3 place(std::string_view code);
   // mm of one cun by a measure of cun.csv.
   double unit(std::string_view measure) const;
@@ -30,10 +30,10 @@ class PointPlacer {
   Vec3 step_across(const PointRow& row, const Vec3& from);
   const BodyLandmark& landmark(std::string_view name) const;
   bool is_landmark(std::string_view name) const { return landmarks_.contains(name); }
-  // Whether the line that it starts on is followed up or down from its level.
+  // Whether the line on which it starts is followed up or down from its level.
   bool follows_line(const PointRow& row) const;
   Vec3 target(const PointRow& row, const Vec3& from);
-  // How high a place is, along the limb for limbs.
+  // Height of a place, along the limb for limbs.
   double height(const PointRow& row, const Vec3& p) const;
   double level(const PointRow& row);
   Vec3 cut(const BodyLandmark& line, double at, const PointRow& row) const;

@@ -9,14 +9,14 @@
 
 namespace bodkin::patient {
 
-// How far, as the standard says it.
+// A distance as stated in the standard.
 struct Cun {
   enum class Kind : std::uint8_t { none, body, finger, fraction };
   Kind kind = Kind::none;
-  double amount = 0.0;  // cun, finger cun, or the share of the way
+  double amount = 0.0;  // cun, finger cun, or a fraction of the distance
 };
 
-// How a point is found (share/bodkin/acupuncture/points.csv).
+// The location of a point (share/bodkin/acupuncture/points.csv).
 struct PointRow {
   std::string code;    // "ST36"
   std::string pinyin;  // "Zusanli"
@@ -24,7 +24,7 @@ struct PointRow {
   std::string meridian;  // "Stomach", "Governor Vessel"
   bool bilateral = true;
   std::string region;   // "leg"
-  std::string surface;  // "anterior+lateral": the first word is the side it is seen from
+  std::string surface;  // "anterior+lateral": the first word is the side from which it is seen
   std::string from, toward;
   Cun along;
   std::optional<double> across;  // cun
@@ -32,7 +32,7 @@ struct PointRow {
   double bow = 0.0;  // cun
 };
 
-// How a point is needled, as published.
+// The needling of a point, as published.
 struct NeedlingRow {
   double shallowest = 0.0, deepest = 0.0;  // mm
   double angle = 90.0;                     // deg to the skin
@@ -53,7 +53,7 @@ struct PointTable {
   const PointRow* find(std::string_view code) const;
 };
 
-// The tables that come with Bodkin. Throws InputError naming file, line and field for a table that does not read.
+// The tables that come with Bodkin. Throws InputError naming file, line and field for an unreadable table.
 PointTable read_point_table();
 
 // "ST" of "ST36".

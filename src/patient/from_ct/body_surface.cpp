@@ -12,17 +12,17 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double block_edge = 2.5;         // mm, wished
+constexpr double block_edge = 2.5;         // mm, desired
 constexpr double opening = 4.5;            // mm: sheets thinner than twice this are not body
 constexpr double least_body = 20.0;        // mL
 constexpr double outside_face = 1000.0;    // mm^2 of image face that outside air must reach
-constexpr double lung_volume = 60e3;       // mm^3: less is bowel gas
-constexpr float air_hounsfield = -900.0F;  // outside air is emptier than this, lung is not
+constexpr double lung_volume = 60e3;       // mm^3: smaller pockets are bowel gas
+constexpr float air_hounsfield = -900.0F;  // outside air has a lower value than this, lung a higher one
 constexpr double least_empty = 0.25;       // share of such emptiness in the air about a body on a mattress
 constexpr float gas_hounsfield = -400.0F;
-constexpr double most_others = 0.35;      // share of couch, arms and thin walls in what encloses air inside the body
-constexpr float even_hounsfield = 25.0F;  // of blocks that are alike
-constexpr double least_even = 0.62;  // share of alike blocks: 0.73 to 1 in real rooms, 0.38 to 0.53 in a real lung
+constexpr double most_others = 0.35;      // share of couch, arms and thin walls around air inside the body
+constexpr float even_hounsfield = 25.0F;  // of similar blocks
+constexpr double least_even = 0.62;  // share of similar blocks: 0.73 to 1 in real rooms, 0.38 to 0.53 in a real lung
 
 // Means of whole blocks of voxels; the last block of an axis may be smaller. Labelled lung counts as solid.
 anatomy::Volume<float> block_means(const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
@@ -71,7 +71,7 @@ MaskVolume mask_where(const anatomy::Grid& grid, const Predicate& predicate) {
   return mask;
 }
 
-// The largest solid thing without sheets and without what hangs on by less than twice the opening.
+// The largest solid object without sheets and without parts attached by less than twice the opening.
 MaskVolume solid_body(const anatomy::Volume<float>& means, std::vector<std::string>& notes) {
   auto solid = mask_where(means.grid, [&](std::size_t v) { return means.voxels[v] > skin_surface_hounsfield; });
   const auto filled = static_cast<std::size_t>(std::count(solid.voxels.begin(), solid.voxels.end(), 1));
@@ -116,7 +116,7 @@ Eigen::Index axis_along(const anatomy::Grid& grid) {
   return along;
 }
 
-// How many of the lateral, front and back faces of the image a voxel lies in; 2 in its corners.
+// The number of lateral, front and back faces of the image that contain a voxel; 2 in its corners.
 int faces_at(const anatomy::Grid& grid, int i, int j, int k, Eigen::Index along) {
   const std::array<int, 3> at = {i, j, k};
   int faces = 0;
@@ -127,8 +127,8 @@ int faces_at(const anatomy::Grid& grid, int i, int j, int k, Eigen::Index along)
   return faces;
 }
 
-// Share of blocks that differ little from their median: air and foam are alike all over, lung is not, with its
-// vessels and its weight.
+// Share of blocks that differ little from their median: air and foam are uniform, lung is not, with its vessels and
+// its weight.
 double evenness(std::vector<float>& blocks) {
   if (blocks.empty()) return 1.0;
   const auto middle = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2);
@@ -139,7 +139,7 @@ double evenness(std::vector<float>& blocks) {
   return static_cast<double>(alike) / static_cast<double>(blocks.size());
 }
 
-// What is known of one piece of air.
+// The properties of one piece of air.
 struct AirPiece {
   double size = 0.0;             // blocks
   bool face = false;             // reaches a lateral, front or back face of the image,
@@ -152,7 +152,7 @@ struct AirPiece {
 std::vector<AirPiece> know_pieces(const anatomy::Volume<float>& means, const anatomy::Volume<std::uint32_t>& pieces,
                                   const anatomy::Volume<float>& depth, const anatomy::Volume<float>& from_body) {
   const anatomy::Grid& grid = means.grid;
-  const auto mixed = static_cast<float>(-2.5 * grid.spacing.maxCoeff());  // nearer to solid: not air alone
+  const auto mixed = static_cast<float>(-2.5 * grid.spacing.maxCoeff());  // nearer to solid: not only air
   const auto lining = static_cast<float>(2.0 * grid.spacing.maxCoeff());
   std::vector<AirPiece> known(*std::max_element(pieces.voxels.begin(), pieces.voxels.end()) + 1);
   const Eigen::Index along = axis_along(grid);
@@ -183,9 +183,9 @@ std::vector<AirPiece> know_pieces(const anatomy::Volume<float>& means, const ana
   return known;
 }
 
-// Air inside the body although a thin wall, which is no part of `body`, or the image border opens it: gas that the
-// body encloses, and lung, which is large and uneven and reaches no corner of the image, as the room about a body
-// does. With it the solid blocks outside `body` that lie nearer to it than to other air: walls, linings, vessels.
+// Air inside the body, even if opened by a thin wall, which is not part of `body`, or by the image border: gas
+// enclosed by the body, and lung, which is large and uneven and, unlike the room, reaches no corner of the image.
+// Includes the solid blocks outside `body` that lie nearer to it than to other air: walls, linings, vessels.
 MaskVolume inner_air(const anatomy::Volume<float>& means, const MaskVolume& body) {
   const anatomy::Grid& grid = means.grid;
   const auto air = mask_where(grid, [&](std::size_t v) { return means.voxels[v] <= skin_surface_hounsfield; });
@@ -210,8 +210,7 @@ MaskVolume inner_air(const anatomy::Volume<float>& means, const MaskVolume& body
   });
 }
 
-// Air that belongs to the room: pieces that reach the lateral, front or back faces of the image broadly and are
-// empty.
+// Air of the room: empty pieces that broadly reach the lateral, front or back faces of the image.
 MaskVolume outside_air(const anatomy::Volume<float>& means, const MaskVolume& body) {
   const anatomy::Grid& grid = means.grid;
   const auto inner = inner_air(means, body);
@@ -231,7 +230,7 @@ MaskVolume outside_air(const anatomy::Volume<float>& means, const MaskVolume& bo
         const std::array<int, 3> at = {i, j, k};
         for (int axis = 0; axis < 3; ++axis) {
           const auto a = static_cast<std::size_t>(axis);
-          if (means.voxels[v] > gas_hounsfield) continue;  // a couch or a cut limb at the border is no air
+          if (means.voxels[v] > gas_hounsfield) continue;  // a couch or a cut limb at the border is not air
           if (axis == along || (at[a] != 0 && at[a] != grid.size[a] - 1)) continue;
           face[piece] += grid.spacing.prod() / grid.spacing[axis];
         }

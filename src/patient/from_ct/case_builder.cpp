@@ -89,7 +89,7 @@ std::vector<TissueAmount> amounts_of(const anatomy::TissueVolume& tissues, const
   return amounts;
 }
 
-// Writes a volume and returns its digest; runs on a thread of its own, packing is what takes the time.
+// Writes a volume and returns its digest; runs on a separate thread, because compression is slow.
 template <typename Voxel>
 std::future<std::string> write_beside(const anatomy::Volume<Voxel>& volume, const std::filesystem::path& file) {
   return std::async(std::launch::async, [&volume, file] {
@@ -122,13 +122,13 @@ void write_case(const std::filesystem::path& folder, const Volumes& volumes, ana
 
 constexpr const char* epidural = "epidural_fat";
 
-// Whether a path through an interspace serves what is wanted: a biopsy or an injection needs a target of its own.
+// Whether a path through an interspace is suitable: a biopsy or an injection needs a separate target.
 bool is_spinal(const NewCase& wanted) {
   return wanted.procedure.empty() || wanted.target_tissue == epidural ||
          wanted.target_tissue == "cerebrospinal_fluid";
 }
 
-// What is wanted, or else a lumbar puncture where there is a lumbar spine and a plain insertion where there is none.
+// The requested procedure, or else a lumbar puncture if there is a lumbar spine and a plain insertion if not.
 anatomy::Procedure procedure_for(const NewCase& wanted, const std::optional<anatomy::NeedlePath>& path, bool lumbar) {
   anatomy::Procedure procedure;
   procedure.path = path;
@@ -146,8 +146,8 @@ bool has_target(const NewCase& wanted) {
   return wanted.target || !wanted.target_structure.empty();
 }
 
-// The best path to the user's target; nothing, and a note that says why, where there is none. Throws InputError for a
-// structure that is not there.
+// The best path to the user's target; if there is none, nothing and a note with the reason. Throws InputError for a
+// missing structure.
 std::optional<anatomy::NeedlePath> path_to_target(const NewCase& wanted, const anatomy::Needle& needle,
                                                   const PatientView& patient, std::vector<std::string>& notes) {
   const Vec3 target = wanted.target ? *wanted.target : target_in_structure(patient, wanted.target_structure);
@@ -157,7 +157,7 @@ std::optional<anatomy::NeedlePath> path_to_target(const NewCase& wanted, const a
     return std::nullopt;
   }
   const Obstacles obstacles = find_obstacles(patient, wanted.rules, target);
-  const PathSearch search = search_paths(patient, obstacles, target, wishes_for(needle, wanted.rules));
+  const PathSearch search = search_paths(patient, obstacles, target, criteria_for(needle, wanted.rules));
   if (search.proposals.empty()) {
     notes.push_back(fmt::format("No path was planned to {} at ({:.1f}, {:.1f}, {:.1f}). {}", named, target.x(),
                                 target.y(), target.z(), search.why_not));
@@ -195,7 +195,7 @@ std::vector<anatomy::Structure> present_structures(std::vector<anatomy::Structur
   return table;
 }
 
-// What the labels mean without a scheme: by the names in their file, else the numbers are TotalSegmentator's.
+// The meaning of the labels without a scheme: by the names in their file, else the numbers are TotalSegmentator's.
 std::vector<anatomy::Structure> table_for(const std::vector<io::LabelName>& names,
                                           const anatomy::TissueLibrary& library, std::vector<std::string>& notes) {
   if (names.empty()) return io::read_label_scheme("totalsegmentator", library);
@@ -204,7 +204,7 @@ std::vector<anatomy::Structure> table_for(const std::vector<io::LabelName>& name
   return std::move(named.table);
 }
 
-// The library of the new case. A patient may be made of any of Bodkin's own tissues, so none may be missing.
+// The library of the new case. A patient may contain any of Bodkin's own tissues, so none may be missing.
 anatomy::TissueLibrary library_for(const std::filesystem::path& file) {
   anatomy::TissueLibrary own = io::default_tissue_library();
   if (file.empty()) return own;
@@ -219,7 +219,7 @@ anatomy::TissueLibrary library_for(const std::filesystem::path& file) {
   return library;
 }
 
-// Where the patient's cord ends, by the user's word or by age.
+// The end of the patient's cord, as stated by the user or by age.
 SpinePlace conus_of(const ImportOptions& options) {
   if (options.conus.empty()) return options.age ? conus_at_age(*options.age) : adult_conus;
   const auto place = place_named(options.conus);

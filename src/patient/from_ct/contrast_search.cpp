@@ -24,7 +24,7 @@ constexpr double shell_share = 0.1;       // of the dense voxels around a core
 
 using Place = std::array<int, 3>;
 
-// What the blocks of the body's lattice hold that is as dense as bone and has no label.
+// The blocks of the body's lattice with unlabelled voxels as dense as bone.
 class DenseBlocks {
  public:
   DenseBlocks(anatomy::TissueVolume& tissues, const anatomy::CtVolume& ct, const anatomy::LabelVolume& structures,
@@ -57,7 +57,7 @@ class DenseBlocks {
   double mean(std::size_t block) const { return static_cast<double>(sum_[block]) / count_[block]; }
   std::uint32_t count(std::size_t block) const { return count_[block]; }
 
-  // Calls `work` with the tissue and the HU of every dense voxel of a block that no label names.
+  // Calls `work` with the tissue and the HU of every unlabelled dense voxel of a block.
   template <typename Work>
   void each_dense(const Place& at, const Work& work) const {
     const auto& grid = tissues_.grid;
@@ -86,7 +86,7 @@ class DenseBlocks {
     return count_[offset(at)] == all;
   }
 
-  // Full, deep, and full at all six faces that the image has.
+  // Full, deep, and full at all of its six faces within the image.
   bool core(const Place& at) const {
     if (count_[offset(at)] == 0 || body_.distance.voxels[offset(at)] > core_below || !full(at)) return false;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -115,7 +115,7 @@ class DenseBlocks {
   std::vector<float> sum_;            // of their HU
 };
 
-// Calls `work` with every block at a face of `at` that the image has.
+// Calls `work` with every neighbouring block of `at` within the image.
 template <typename Work>
 void each_neighbour(const DenseBlocks& blocks, const Place& at, const Work& work) {
   for (std::size_t a = 0; a < 3; ++a) {
@@ -127,7 +127,7 @@ void each_neighbour(const DenseBlocks& blocks, const Place& at, const Work& work
   }
 }
 
-// The core that holds `seed`: blocks that are joined to blocks of nearly the same mean. Marks them in `taken`.
+// The core around `seed`: connected blocks of nearly the same mean. Marks them in `taken`.
 std::vector<Place> core_from(const Place& seed, const DenseBlocks& blocks, std::vector<std::uint8_t>& taken) {
   std::vector<Place> found = {seed};
   taken[blocks.offset(seed)] = 1;
@@ -146,7 +146,7 @@ std::vector<Place> core_from(const Place& seed, const DenseBlocks& blocks, std::
   return found;
 }
 
-// The blocks at the faces of `inner` that are not in `marked`, which they are added to.
+// The blocks at the faces of `inner` that are not in `marked`; adds them to it.
 std::vector<Place> layer_around(const std::vector<Place>& inner, const DenseBlocks& blocks,
                                 std::vector<std::uint8_t>& marked, bool with_full) {
   std::vector<Place> layer;
@@ -165,7 +165,7 @@ double volume_of(const std::vector<Place>& core, const DenseBlocks& blocks) {
   return static_cast<double>(core.size()) * blocks.edges().prod() / 1e3;
 }
 
-// Length over thickness of a core, with the block that its surface lacks.
+// Length over thickness of a core, including the block missing at its surface.
 double elongation(const std::vector<Place>& core, const DenseBlocks& blocks) {
   Vec3 middle = Vec3::Zero();
   for (const Place& at : core) middle += Vec3(at[0], at[1], at[2]);
@@ -177,7 +177,7 @@ double elongation(const std::vector<Place>& core, const DenseBlocks& blocks) {
   }
   spread /= static_cast<double>(core.size());
   const Vec3 variance = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues().cwiseMax(0.0);
-  // Of a box of length a the variance is a^2 / 12; a layer of a block's edge lies around it.
+  // A box of length a has the variance a^2 / 12; a layer of a block's edge lies around it.
   const double around = 2.0 * blocks.edges().maxCoeff();
   const double length = std::sqrt(12.0 * variance[2]) + around, thickness = std::sqrt(12.0 * variance[1]) + around;
   return length / thickness;

@@ -12,9 +12,9 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double deep_below = 45.0;           // mm below the skin: what no label names there is not body wall
+constexpr double deep_below = 45.0;           // mm below the skin: deeper unlabelled tissue is not body wall
 constexpr double largest_stone = 5.0;         // mL
-constexpr double off_bone = 8.0;              // mm; what is nearer may be a part of it that thick slices cut off
+constexpr double off_bone = 8.0;              // mm; nearer pieces may be parts of it cut off by thick slices
 constexpr double brightest_contrast = 600.0;  // HU, mean
 constexpr double contrast_spread = 0.2;       // standard deviation over mean
 
@@ -24,10 +24,10 @@ bool dense(anatomy::TissueId id) {
 
 // Neighbouring voxels of bone along i.
 struct Run {
-  int j, k, from, to;  // to is behind the last
+  int j, k, from, to;  // to is one past the last
 };
 
-// Sets of runs that hang together (union-find with path halving).
+// Sets of connected runs (union-find with path halving).
 class Pieces {
  public:
   explicit Pieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -110,7 +110,7 @@ Piece measured(std::vector<std::uint32_t> runs, const BoneRuns& bone, const anat
   return piece;
 }
 
-// Whether bone of another piece lies within `distance` of this one.
+// Whether bone of another piece lies within `distance`.
 bool near_other_bone(const Piece& piece, const BoneRuns& bone, const anatomy::TissueVolume& tissues, Pieces& pieces,
                      double distance) {
   const auto& size = tissues.grid.size;
@@ -154,9 +154,9 @@ Kind kind_of(const Piece& piece, const BoneRuns& bone, const anatomy::TissueVolu
 
 }  // namespace
 
-std::vector<std::string> take_out_dense_pieces(anatomy::TissueVolume& tissues, const anatomy::CtVolume& ct,
-                                               const anatomy::LabelVolume& structures, const TissueLattice& lattice,
-                                               const BodySurface& body) {
+std::vector<std::string> remove_dense_pieces(anatomy::TissueVolume& tissues, const anatomy::CtVolume& ct,
+                                             const anatomy::LabelVolume& structures, const TissueLattice& lattice,
+                                             const BodySurface& body) {
   const auto& size = tissues.grid.size;
   const BoneRuns bone = runs_of(tissues);
   Pieces pieces(bone.runs.size());

@@ -13,18 +13,17 @@ namespace bodkin::patient {
 // Specks of bone smaller than this are noise or calcification, mL.
 inline constexpr double smallest_bone = 0.05;
 
-// Takes out of the bone in `tissues` what is as dense as bone and is none, by place and connectivity: pieces that do
-// not hang together with the skeleton (through corners, too), whose voxels no label names, and that the image border
-// does not cut.
-//   speck               less than smallest_bone and more than 8 mm from other bone: soft tissue
-//   stone, calcification   deeper than 45 mm below the skin, less than 5 mL, more than 8 mm from other bone: soft
-//   tissue enhanced vessel     deeper than 45 mm, 5 mL and more, and of even HU (a standard deviation below a fifth
-//   of a
-//                       mean of 600 HU at most): a vessel; the image border may cut it, for the aorta runs through
-// In an image without skin depth is unknown, and only specks are taken. Returns one sentence for each kind that was
+// Removes from the bone in `tissues` dense pieces that are not bone, by position and connectivity: unlabelled pieces
+// that are not connected to the skeleton (even through corners), and that the image border does not cut.
+//   speck            less than smallest_bone and more than 8 mm from other bone: soft tissue
+//   stone or         deeper than 45 mm below the skin, less than 5 mL and more than 8 mm from other bone: soft tissue
+//   calcification
+//   enhanced vessel  deeper than 45 mm, at least 5 mL and of uniform HU (a standard deviation below a fifth of a mean
+//                    of at most 600 HU): a vessel; the image border may cut it, as it cuts the aorta
+// In an image without skin depth is unknown, and only specks are removed. Returns one sentence for each kind that was
 // found. The sizes are our choice. [D]
-std::vector<std::string> take_out_dense_pieces(anatomy::TissueVolume& tissues, const anatomy::CtVolume& ct,
-                                               const anatomy::LabelVolume& structures, const TissueLattice& lattice,
-                                               const BodySurface& body);
+std::vector<std::string> remove_dense_pieces(anatomy::TissueVolume& tissues, const anatomy::CtVolume& ct,
+                                             const anatomy::LabelVolume& structures, const TissueLattice& lattice,
+                                             const BodySurface& body);
 
 }  // namespace bodkin::patient

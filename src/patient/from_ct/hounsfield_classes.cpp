@@ -21,12 +21,12 @@ constexpr float gas_below = -400.0F;
 constexpr float fat_below = -30.0F;
 constexpr float clear_fat_below = -60.0F;
 constexpr float bone_above = 200.0F;         // as measured
-constexpr float bone_smooth_above = 140.0F;  // and after smoothing, so that single noisy voxels are no bone
+constexpr float bone_smooth_above = 140.0F;  // and after smoothing, so that single noisy voxels are not bone
 constexpr float cortical_above = 400.0F;
 constexpr float metal_above = 2500.0F;
 constexpr float viscera_depth = 45.0F;  // mm below the skin: deeper unlabelled soft tissue is not body wall
 
-// What a label does to its voxels; tissue ids stand for themselves.
+// The effect of a label on its voxels; a tissue id stands for itself.
 using LabelAction = std::uint16_t;
 constexpr LabelAction by_bone = 1000, by_hounsfield = 1001;
 
@@ -80,7 +80,7 @@ std::vector<LabelAction> label_actions(const std::vector<anatomy::Structure>& ta
   return actions;
 }
 
-// CT with noise finer than about a millimetre averaged out; coarse voxels stay nearly as they are.
+// CT with noise finer than about a millimetre averaged out; coarse voxels remain nearly unchanged.
 anatomy::CtVolume smoothed(const anatomy::CtVolume& ct) {
   constexpr double sigma = 1.0;  // mm
   anatomy::CtVolume out = ct;
@@ -159,13 +159,13 @@ anatomy::TissueId by_label(LabelAction action, const Sample& s, bool border) {
   return static_cast<anatomy::TissueId>(action);
 }
 
-// The shell of a bone is cortical whatever partial volume made of its HU.
+// The shell of a bone is cortical, even if partial volume lowered its HU.
 void draw_cortex(anatomy::TissueVolume& tissues) {
   const anatomy::Grid& grid = tissues.grid;
   const auto& size = grid.size;
   const auto row = static_cast<std::ptrdiff_t>(size[0]), slice = row * size[1];
   const std::array<std::ptrdiff_t, 6> neighbours = {-1, 1, -row, row, -slice, slice};
-  // Only cancellous turns cortical, and both count as bone, so threads may read what others write: in whole bytes.
+  // Cancellous bone only turns cortical, and both count as bone, so threads may read bytes written by others.
   parallel_for(size[2] - 2, [&](int below) {
     const int k = below + 1;
     for (int j = 1; j < size[1] - 1; ++j) {
@@ -215,8 +215,7 @@ anatomy::TissueVolume classify_tissues(const anatomy::CtVolume& ct, const anatom
       anatomy::TissueId* row = &tissues.at(0, j, k);
       for (std::size_t i = 0; i < raws.size(); ++i) {
         const float d = distances[i];
-        // Blocks separate inside from outside, except for one block around the surface, where the skin's own HU
-        // decide.
+        // Blocks separate inside from outside, except for one block around the surface, where the skin's HU decide.
         if (d > edge || (d > -edge && raws[i] < skin_surface_hounsfield && body.has_skin)) continue;
         const Sample sample = {raws[i], smooths[i], -d, lungs[i] > 0.5F};
         LabelAction action = by_hounsfield;
@@ -276,7 +275,7 @@ void thicken_skin(anatomy::TissueVolume& tissues, const BodySurface& body) {
   constexpr double deepest = 6.0, to_fat = 4.0;  // mm
   const anatomy::Grid& grid = tissues.grid;
   const auto depth_at = [&](const Vec3& p) { return -anatomy::linear(body.distance, p, 1e3F); };
-  // Whether skin lies outwards and fat inwards of p, with nothing but dense soft tissue in between.
+  // Whether skin lies outwards and fat inwards of p, with only dense soft tissue in between.
   const auto between_skin_and_fat = [&](const Vec3& p) {
     Vec3 inwards;
     for (int axis = 0; axis < 3; ++axis) {

@@ -46,7 +46,7 @@ void require_range(const anatomy::Grid& grid, int low, int high, const SegmentRe
     throw InputError("the place that was chosen lies outside of the image; choose one inside");
 }
 
-// Of voxels beyond the reach nothing is taken.
+// Voxels beyond the reach contribute nothing.
 template <typename Visit>
 void for_each_outside(const anatomy::Grid& grid, const SegmentReach& within, const Visit& visit) {
   if (!(within.reach > 0.0)) return;
@@ -75,7 +75,7 @@ CtImage3::Pointer image_of(const anatomy::CtVolume& ct) {
   return image;
 }
 
-// First and last voxel along each axis that is set; low above high where none is.
+// First and last set voxel along each axis; low above high if none is set.
 struct MaskBox {
   std::array<int, 3> low = {std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
                             std::numeric_limits<int>::max()};
@@ -101,7 +101,7 @@ MaskBox box_of(const MaskVolume& mask) {
   return box;
 }
 
-// One slice of a mask across an axis, about the box of what it holds, with a voxel of margin.
+// One slice of a mask across an axis, cropped to its contents with a voxel of margin.
 class SliceDistances {
  public:
   SliceDistances(const MaskVolume& mask, int axis, const MaskBox& box)
@@ -116,7 +116,7 @@ class SliceDistances {
   }
 
   std::size_t pixels() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
-  // In the mask, of pixel `pixel` of slice `slice`.
+  // Index in the mask of pixel `pixel` of slice `slice`.
   std::size_t offset(int slice, std::size_t pixel) const {
     std::array<int, 3> at{};
     at[static_cast<std::size_t>(axis_)] = slice;
@@ -136,7 +136,7 @@ class SliceDistances {
   std::vector<float> distances(int slice) const {
     auto image = ByteImage2::New();
     ByteImage2::SizeType size;
-    size[0] = static_cast<itk::SizeValueType>(columns_) + 2;  // so that an outline at the edge is one
+    size[0] = static_cast<itk::SizeValueType>(columns_) + 2;  // so that an outline at the edge is closed
     size[1] = static_cast<itk::SizeValueType>(rows_) + 2;
     ByteImage2::SpacingType spacing;
     spacing[0] = mask_.grid.spacing[u_];

@@ -30,7 +30,7 @@ Words words_of(const std::string& name) {
   return words;
 }
 
-// The word that TotalSegmentator uses for the same.
+// TotalSegmentator's word for the same.
 std::string common_word(const std::string& word) {
   static const std::map<std::string, std::string, std::less<>> same = {{"vertebra", "vertebrae"},
                                                                        {"vertebral", "vertebrae"},
@@ -74,7 +74,7 @@ std::optional<std::string> vertebra_of(const std::string& name) {
   return level;
 }
 
-// What a name that no scheme lists says of its tissue; nothing when it says nothing.
+// The tissue implied by a name that no scheme lists; empty if none.
 std::optional<std::string> tissue_by_words(const Words& words) {
   const bool target_volume =
       std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.starts_with("gtv"); });
@@ -122,7 +122,7 @@ NamedStructures structures_named(const std::vector<io::LabelName>& names) {
   }
   if (!by_hounsfield.empty()) {
     result.notes.push_back(fmt::format(
-        "The names {} of the labels tell no tissue, so HU decides there; a --scheme can say what they are.",
+        "The names {} of the labels name no known tissue, so HU decides there; a --scheme can say what they are.",
         by_hounsfield));
   }
   if (cord) {

@@ -13,10 +13,10 @@ struct NamedStructures {
   std::vector<std::string> notes;  // one sentence each
 };
 
-// What labels mean that their file names: a segmentation or structure set from a radiology system. A name that
-// TotalSegmentator uses, in any case, with any signs between its words and its words in any order ("Left Kidney"), is
-// taken as such; tumours, lesions and target volumes are masses; other names are kept, and their voxels decided by
-// HU, which a note says.
+// The meaning of labels with names in their file: a segmentation or structure set from a radiology system. A name
+// used by TotalSegmentator, in any case, with any signs between its words and its words in any order ("Left Kidney"),
+// is taken as such; tumours, lesions and target volumes are masses; other names are kept, and their voxels classified
+// by HU, with a note.
 NamedStructures structures_named(const std::vector<io::LabelName>& names);
 
 }  // namespace bodkin::patient

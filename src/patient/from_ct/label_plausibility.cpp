@@ -21,7 +21,7 @@ Substance substance_of(const std::string& tissue) {
   return tissue == "muscle" ? Substance::muscle : Substance::other;
 }
 
-// Organs that hold gas as often as not.
+// Organs that often contain gas.
 const std::set<std::string> hollow = {"stomach", "small_bowel", "duodenum", "colon", "esophagus", "trachea"};
 
 bool fits(Substance substance, int hounsfield) {
@@ -35,12 +35,12 @@ std::vector<Substance> substances_of(const std::vector<anatomy::Structure>& tabl
   return substances;
 }
 
-// How much of bone and muscle holds fitting HU.
+// Shares of bone and muscle with fitting HU.
 struct Agreement {
   std::array<double, 2> fitting{};  // share, of bone and of muscle
   std::array<std::size_t, 2> count{};
   bool poor(std::size_t substance) const {
-    constexpr std::size_t enough = 500;  // voxels looked at
+    constexpr std::size_t enough = 500;  // voxels examined
     return count[substance] >= enough && fitting[substance] < 1.0 / 3.0;
   }
   bool poor() const { return poor(0) || poor(1); }
@@ -103,7 +103,7 @@ std::vector<std::array<int, 3>> bone_sample(const anatomy::LabelVolume& labels,
   return sample;
 }
 
-// The share of the sample that is bone in the CT, moved by `shift` voxels.
+// The share of the sample, moved by `shift` voxels, that is bone in the CT.
 double bone_share(const anatomy::CtVolume& ct, const std::vector<std::array<int, 3>>& sample,
                   const std::array<int, 3>& shift) {
   std::size_t count = 0, bone = 0;
@@ -115,7 +115,7 @@ double bone_share(const anatomy::CtVolume& ct, const std::vector<std::array<int,
   return 2 * count < sample.size() ? 0.0 : static_cast<double>(bone) / static_cast<double>(count);
 }
 
-// The move along one axis that brings clearly more of the labelled bone onto bone, mm; nothing when none does.
+// mm, the shift along one axis that brings clearly more of the labelled bone onto bone; nothing if none does.
 std::optional<Vec3> shift_that_fits(const anatomy::CtVolume& ct, const anatomy::LabelVolume& labels,
                                     const std::vector<Substance>& substances) {
   constexpr double furthest = 60.0, step = 4.0;  // mm

@@ -7,7 +7,7 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double look_step = 0.5;                       // mm between looks
+constexpr double look_step = 0.5;                       // mm between samples
 constexpr double first_look = -10.0, last_look = 14.0;  // mm about CanalSection::back
 constexpr double furthest_edge = 7.0;                   // mm behind it
 constexpr double row_half_breadth = 3.0;                // mm of the midline
@@ -15,7 +15,7 @@ constexpr double row_half_breadth = 3.0;                // mm of the midline
 // Mean HU along the canal's depth, about CanalSection::back.
 struct DepthRow {
   std::vector<double> hounsfield;
-  int rows = 0;  // heights that went into it
+  int rows = 0;  // heights that contributed
   int index(double offset) const { return static_cast<int>(std::lround((offset - first_look) / look_step)); }
   double offset(double index) const { return first_look + look_step * index; }
   double least(int from, int to) const {
@@ -24,7 +24,7 @@ struct DepthRow {
   double most(int from, int to) const {
     return *std::max_element(hounsfield.begin() + std::max(0, from), hounsfield.begin() + clip(to) + 1);
   }
-  // Standard deviation of what changes within 2 mm, in front of the layers: noise and roots, but no slow slope.
+  // Standard deviation of changes within 2 mm, in front of the layers: noise and roots, but no slow slope.
   double noise() const {
     constexpr int apart = static_cast<int>(2.0 / look_step);
     double sum = 0.0;
@@ -68,7 +68,7 @@ DepthRow depth_row(const SpineView& view, const SpinalCanal& canal, double low, 
   return row;
 }
 
-// Where the row passes `level` between index n and the next one in direction `way`, as an offset.
+// The offset at which the row passes `level` between index n and the next one in direction `way`.
 double passing(const DepthRow& row, int n, int way, double level) {
   const double here = row.hounsfield[static_cast<std::size_t>(n)];
   const int beyond = n + way;
@@ -77,7 +77,7 @@ double passing(const DepthRow& row, int n, int way, double level) {
   return row.offset(n + way * part);
 }
 
-// The first offset from index n on in direction `way` at which the row reaches `level`, rising.
+// The first offset from index n on in direction `way` at which the rising row reaches `level`.
 std::optional<double> reaches(const DepthRow& row, int n, int way, double level) {
   const int count = static_cast<int>(row.hounsfield.size());
   for (int next = n + way; next >= 0 && next < count; next += way) {
@@ -101,7 +101,7 @@ LayersSeen see_layers(const SpineView& view, const SpinalCanal& canal, double lo
     const auto here = row.hounsfield[static_cast<std::size_t>(n)];
     const double floor = row.least(n - before, n), top = std::min(row.most(n, n + behind), most_ligament);
     if (top - floor < step_needed || top < least_ligament || here > 0.5 * (floor + top)) continue;
-    // The lowest HU before the ligament may lie a little further back: in fat, if there is any.
+    // The lowest HU before the ligament may lie slightly further back: in fat, if there is any.
     int lowest = n;
     while (row.offset(lowest + 1) <= furthest_edge &&
            row.hounsfield[static_cast<std::size_t>(lowest) + 1] < row.hounsfield[static_cast<std::size_t>(lowest)])

@@ -10,9 +10,9 @@ namespace bodkin::patient {
 namespace {
 
 constexpr double wide_half_breadth = 100.0;              // mm of the view beside the midline
-constexpr double bone_before = 36.0, bone_behind = 7.0;  // mm of bone looked at in front of the canal and behind it
+constexpr double bone_before = 36.0, bone_behind = 7.0;  // mm of bone examined in front of the canal and behind it
 
-// Bone beside the spine, slice by slice of the view: mm^2 of each side, -1 where the image does not show the side.
+// Bone beside the spine, by slice of the view: mm^2 of each side, -1 where the image does not show the side.
 struct Flanks {
   std::vector<double> wing;   // between 28 and 40 mm beside the midline, the
                               // larger of the two sides' mean
@@ -50,7 +50,7 @@ Flanks flanks_of(const SpineView& view, const SpinalCanal& canal) {
   return flanks;
 }
 
-// The uppermost slice from which the wings of the sacrum go on downwards, or -1.
+// The uppermost slice from which the wings of the sacrum continue downwards, or -1.
 int sacrum_slice(const Flanks& flanks, double step) {
   constexpr double least = 120.0, mean = 150.0, beside = 100.0;  // mm^2
   const int height = static_cast<int>(20.0 / step);
@@ -63,7 +63,7 @@ int sacrum_slice(const Flanks& flanks, double step) {
   return -1;
 }
 
-// The highest slice of the ilium that is met at slice `from`.
+// The highest slice of the ilium present at slice `from`.
 int crest_slice(const Flanks& flanks, int from) {
   int k = from;
   while (k + 1 < static_cast<int>(flanks.ilium.size()) && flanks.ilium[static_cast<std::size_t>(k) + 1] > 25.0) ++k;
@@ -127,7 +127,7 @@ std::optional<double> lowest_rib(const SpineView& view, const SpinalCanal& canal
   return lowest;
 }
 
-// The height of the lowest ribs when both sides that the image shows have them there.
+// The height of the lowest ribs if all visible sides have them there.
 std::optional<double> lowest_ribs(const SpineView& view, const SpinalCanal& canal) {
   constexpr double least_below = 45.0, most_apart = 20.0;  // mm
   const double x = canal.at(view.z_of(view.grid().size[2] / 2)).x;

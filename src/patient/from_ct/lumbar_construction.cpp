@@ -12,7 +12,7 @@ namespace {
 
 using namespace lumbar_size;
 
-// Everything about one height that the drawing needs; y and x are LPS mm.
+// The data of one height for the drawing; y and x are LPS mm.
 struct ConstructedSection {
   double x, front, back, half_width;  // canal; `back` with its bulge in the midline
   double bulge;
@@ -74,8 +74,8 @@ ConstructedSection section_at(const LumbarSpine& spine, double z) {
   return s;
 }
 
-// Sections `step` mm apart along the whole canal. The back of the sac is drawn taut: fat fills what the wall of the
-// canal does between the laminae.
+// Sections `step` mm apart along the whole canal. The back of the sac is drawn taut: fat fills the bulges of the
+// canal's wall between the laminae.
 std::vector<ConstructedSection> sections_of(const LumbarSpine& spine, double step) {
   std::vector<ConstructedSection> sections;
   std::vector<double> backs;
@@ -95,7 +95,7 @@ std::vector<ConstructedSection> sections_of(const LumbarSpine& spine, double ste
   return sections;
 }
 
-// Height of the conus. Where levels are unknown it may be anywhere, so everything counts as cord.
+// Height of the conus. With unknown levels it may be anywhere, so everything counts as cord.
 double conus_of(const LumbarSpine& spine) {
   return spine.conus.value_or(-1e9);
 }
@@ -125,7 +125,7 @@ bool is_root(const ConstructedSection& s, double x, double y) {
   return square(side) + square((v - 0.15 * s.sac_half_depth) / (0.5 * s.sac_half_depth)) < 1.0;
 }
 
-// What the construction puts at a point, or air for nothing. The sac comes out as cerebrospinal fluid.
+// The constructed tissue at a point, or air for none. The sac becomes cerebrospinal fluid.
 anatomy::TissueId tissue_at(const ConstructedSection& s, double x, double y) {
   const double middle = 0.5 * (s.front + s.back), u = x - s.x;
   const double wall = s.back - s.bulge * std::min(1.0, square(u / 9.0));  // the bulge is in the midline
@@ -235,7 +235,7 @@ void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine) {
     if (drawn != anatomy::tissue::air) voxel = drawn;
   });
 
-  // The rim of the sac becomes dura; marked first, so that the rim does not creep inwards.
+  // The rim of the sac becomes dura; it is marked first, so that it does not grow inwards.
   MaskVolume rim;
   rim.grid = grid;
   for (std::size_t axis = 0; axis < 3; ++axis) rim.grid.size[axis] = box.high[axis] - box.low[axis] + 1;

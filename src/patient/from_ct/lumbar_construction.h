@@ -8,7 +8,7 @@
 
 namespace bodkin::patient {
 
-// Thicknesses of what no CT shows, mm (reference/layer_thickness.csv).
+// Thicknesses of structures invisible in CT, mm (reference/layer_thickness.csv).
 namespace lumbar_size {
 // Interspinous ligament, its width at the flavum, in the middle, and at the supraspinous ligament: Lawrence et al.,
 // Anatomy of the lumbar interspinous ligament, medians of 73 interspaces.
@@ -26,13 +26,12 @@ Vec3 sac_centre(const LumbarSpine& spine, double z);
 
 // Draws supraspinous and interspinous ligaments, ligamentum flavum, epidural space, dura, cerebrospinal fluid, cord
 // and cauda equina into `tissues`: the ligaments from the uppermost to the lowest interspace, the canal's contents
-// along the whole canal. Bone, discs, skin and air stay what they are, and fat is no supraspinous ligament. A
-// straight line from behind that meets no bone crosses flavum before epidural space, and no line reaches
-// cerebrospinal fluid but through dura: dura is every voxel of the sac that touches, even by a corner, what is not
-// sac.
+// along the whole canal. Bone, discs, skin and air are not changed, and fat does not become supraspinous ligament. A
+// straight line from behind that meets no bone crosses flavum before epidural space, and every line to cerebrospinal
+// fluid crosses dura: dura is every voxel of the sac that touches, even by a corner, a voxel outside the sac.
 void draw_lumbar(anatomy::TissueVolume& tissues, const LumbarSpine& spine);
 
-// Nameless soft tissue behind the vertebral bodies, over the height of the canal, is muscle of the back.
+// Turns unclassified soft tissue behind the vertebral bodies, over the height of the canal, into muscle of the back.
 void muscle_behind(anatomy::TissueVolume& tissues, const SpinalCanal& canal);
 
 }  // namespace bodkin::patient

@@ -9,8 +9,8 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double deepest_search = 60.0;                // mm behind the canal that is searched for spinous processes
-constexpr double within_sacrum = 12.0;                 // mm below its top: a gap there is none of the lumbar spine
+constexpr double deepest_search = 60.0;                // mm behind the canal, searched for spinous processes
+constexpr double within_sacrum = 12.0;                 // mm below its top: a gap there is not in the lumbar spine
 constexpr double least_gap = 3.0, least_lamina = 4.0;  // mm of height
 
 // Thickness of the ligamentum flavum in mm (Khasawneh, Abu El-Rub and Allouh 2023, MRI of 350 adults;
@@ -26,9 +26,9 @@ double ahead(const SpinalCanal& canal, std::size_t n) {
   return canal.lowest + static_cast<double>(n);
 }
 
-// LPS z of the conus, between two named interspaces or beyond them at their mean distance.
+// LPS z of the conus, between two named interspaces, or beyond them by their mean distance.
 std::optional<double> conus_height(const LevelEvidence& evidence, const VertebralLevels& levels, SpinePlace conus) {
-  constexpr double usual = 32.0;  // mm from interspace to interspace, where only one is seen
+  constexpr double usual = 32.0;  // mm from interspace to interspace, if only one is visible
   const auto& gaps = evidence.interspaces;
   std::optional<std::size_t> first, last;  // named ones
   for (std::size_t n = 0; n < gaps.size(); ++n) {
@@ -98,7 +98,7 @@ void find_tips(const SpineView& view, LumbarSpine& spine) {
   spine.tip_x = moving_average(spine.tip_x, 8);
 }
 
-// Bone in the midline just behind the canal, and whose it is.
+// Bone in the midline just behind the canal, and its vertebra.
 struct BehindCanal {
   int bone = 0, count = 0;
   std::array<int, 256> roles{};
@@ -122,9 +122,9 @@ BehindCanal behind_canal(const SpineView& view, const SpinalCanal& canal, std::s
   return behind;
 }
 
-// Laminae overhang the gap below them, so a gap is looked for on the level. Where the canal runs steeply backwards,
-// as at L5/S1, a level line meets the lamina above and the sacrum below at once; there a line across the canal finds
-// the gap.
+// Laminae overhang the gap below them, so a gap is searched along a level line. Where the canal runs steeply
+// backwards, as at L5/S1, a level line meets both the lamina above and the sacrum below; there a line across the
+// canal finds the gap.
 bool lamina_behind(const SpineView& view, const SpinalCanal& canal, std::size_t n, BehindCanal& level) {
   level = behind_canal(view, canal, n, 0.0);
   if (!level.lamina()) return false;
@@ -163,7 +163,7 @@ std::vector<Stretch> stretches_of(const SpineView& view, const SpinalCanal& cana
   return stretches;
 }
 
-// Joins stretches that a stretch too low to count keeps apart.
+// Joins stretches separated only by one too low to count.
 void drop_short(std::vector<Stretch>& stretches) {
   for (std::size_t n = 1; n + 1 < stretches.size();) {
     Stretch& s = stretches[n];
@@ -180,8 +180,8 @@ void drop_short(std::vector<Stretch>& stretches) {
   }
 }
 
-// The gaps between the laminae with what names them; fills spine.interspaces with those of the lumbar spine.
-void name_gaps(const std::vector<Stretch>& stretches, const SpinalCanal& canal, const LevelWords& words,
+// The gaps between the laminae with their naming evidence; fills spine.interspaces with those of the lumbar spine.
+void name_gaps(const std::vector<Stretch>& stretches, const SpinalCanal& canal, const LevelTexts& words,
                LumbarSpine& spine) {
   LevelEvidence evidence;
   std::vector<Interspace> gaps;  // from head to foot
@@ -211,7 +211,7 @@ void name_gaps(const std::vector<Stretch>& stretches, const SpinalCanal& canal, 
 
 }  // namespace
 
-LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const LevelWords& words) {
+LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const LevelTexts& words) {
   LumbarSpine spine;
   auto stretches = stretches_of(view, canal);
   drop_short(stretches);
@@ -220,8 +220,8 @@ LumbarSpine find_interspaces(const SpineView& view, SpinalCanal canal, const Lev
   for (Interspace& gap : spine.interspaces) {
     gap.flavum = flavum_thickness(gap.name);
     gap.seen = see_layers(view, spine.canal, gap.low + 1.0, gap.high - 1.0, words.voxel);
-    // Where the CT shows no wall: a label ends at it, and the line along the fronts of the laminae runs in front of
-    // the flavum, which bridges their backs.
+    // Used where the CT shows no wall: a label ends at it, and the line along the fronts of the laminae runs in front
+    // of the flavum, which bridges their backs.
     constexpr double in_front = 3.0;
     gap.bulge = gap.seen.wall ? gap.seen.wall->value : spine.canal.labelled ? 0.0 : in_front;
   }

@@ -12,7 +12,7 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double search_spacing = 2.0;    // mm, of the view that is searched
+constexpr double search_spacing = 2.0;    // mm of the view that are searched
 constexpr double least_laminae = 30.0;    // mm of height
 constexpr double longest_process = 45.0;  // mm from the canal to the tip of a spinous process
 constexpr double most_lung = 0.03;        // of a slice's voxels

@@ -8,15 +8,14 @@
 
 namespace bodkin::patient {
 
-// Where a lumbar spine lies in a CT without spine labels.
+// The position of a lumbar spine in a CT without spine labels.
 struct SpineMidline {
   PatientBox box;                      // about the spine, skin to vertebral bodies
   std::function<double(double)> x_at;  // LPS x of the midline at LPS z
 };
 
-// Looks for the sagittal plane in which the most bone stands behind a canal-like gap: that is where the spinous
-// processes are. Slices with lung in them are not lumbar and are passed over. Nothing when no 30 mm of laminae are
-// found.
+// Searches for the sagittal plane with the most bone behind a canal-like gap, that of the spinous processes. Slices
+// that contain lung are not lumbar and are skipped. Empty when less than 30 mm of laminae are found.
 std::optional<SpineMidline> find_midline(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
                                          const BodySurface& body);
 

@@ -13,16 +13,15 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double enough = 2.5;         // mm of room to bone that a planned path should leave
-constexpr double path_step = 0.5;      // mm between looks along a path
-constexpr double clear_of_cord = 5.0;  // mm after the target that must be free of cord as well
+constexpr double enough = 2.5;         // mm of distance to bone that a planned path should keep
+constexpr double path_step = 0.5;      // mm between samples of a path
+constexpr double clear_of_cord = 5.0;  // mm beyond the target that must also be free of cord
 constexpr std::array<const char*, 3> preferred = {"L3_L4", "L4_L5", "L2_L3"};
 
-// What a path crosses; nothing when it meets bone.
+// The tissues on a path; empty if it meets bone.
 struct Crossing {
   double room = 1e3;      // mm, the least distance to bone
-  double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments:
-                          // how well it keeps to the midline
+  double ligament = 0.0;  // mm in the supraspinous and interspinous ligaments: measure of keeping to the midline
 };
 
 std::optional<Crossing> crossing_along(const anatomy::TissueVolume& tissues, const anatomy::Volume<float>& distance,
@@ -53,8 +52,8 @@ std::string names_of(const LumbarSpine& spine) {
   return text;
 }
 
-// How the user can tell the levels, as the end of a sentence.
-std::string how_to_tell(const LumbarSpine& spine) {
+// How the user can state the levels, as the end of a sentence.
+std::string level_advice(const LumbarSpine& spine) {
   return fmt::format("say with --lowest-vertebra which vertebra lies above the lowest interspace, at z = {:.0f}",
                      spine.interspaces.back().middle());
 }
@@ -64,7 +63,7 @@ PlannedPath path_at_level(const std::vector<PlannedPath>& paths, const LumbarSpi
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("--level is {}, where no path can be planned: {}", level, why));
   };
-  if (!spine.levels.known()) refuse(fmt::format("{}; {}", spine.levels.evidence, how_to_tell(spine)));
+  if (!spine.levels.known()) refuse(fmt::format("{}; {}", spine.levels.evidence, level_advice(spine)));
   const auto gap = std::find_if(spine.interspaces.begin(), spine.interspaces.end(),
                                 [&](const Interspace& one) { return one.name == level; });
   if (gap == spine.interspaces.end()) refuse(fmt::format("the interspaces found are {}", names_of(spine)));
@@ -142,8 +141,9 @@ PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine&
                        std::span<const std::string> allowed_levels) {
   if (!level.empty()) return {path_at_level(paths, spine, level), {}, ""};
   if (!spine.levels.known()) {
-    return {
-        std::nullopt, {}, fmt::format("the levels are not known: {}; {}", spine.levels.evidence, how_to_tell(spine))};
+    return {std::nullopt,
+            {},
+            fmt::format("the levels are not known: {}; {}", spine.levels.evidence, level_advice(spine))};
   }
   std::vector<PlannedPath> allowed;
   bool low_enough = false, permitted = false, whole = false;
@@ -168,12 +168,12 @@ PathChoice choose_path(const std::vector<PlannedPath>& paths, const LumbarSpine&
     }
     choice.passed_over.push_back(*path);
   }
-  const auto roomiest =
+  const auto widest_path =
       std::max_element(allowed.begin(), allowed.end(),
                        [](const PlannedPath& a, const PlannedPath& b) { return a.clearance < b.clearance; });
-  if (roomiest != allowed.end()) {
-    choice.path = *roomiest;
-    std::erase_if(choice.passed_over, [&](const PlannedPath& p) { return p.interspace == roomiest->interspace; });
+  if (widest_path != allowed.end()) {
+    choice.path = *widest_path;
+    std::erase_if(choice.passed_over, [&](const PlannedPath& p) { return p.interspace == widest_path->interspace; });
     return choice;
   }
   choice.passed_over.clear();

@@ -44,7 +44,7 @@ void add_landmarks(BuiltPatient& patient, const LumbarSpine& spine, const std::v
   }
 }
 
-// How the levels are known, and where the cord ends.
+// The evidence for the levels, and the end of the cord.
 void note_levels(BuiltPatient& patient, const LumbarSpine& spine) {
   const VertebralLevels& levels = spine.levels;
   if (!levels.known()) {
@@ -67,7 +67,7 @@ void note_levels(BuiltPatient& patient, const LumbarSpine& spine) {
   }
 }
 
-// Which layers of each interspace the CT shows, and which are textbook.
+// Layers of each interspace seen in the CT, and those from textbooks.
 void note_layers(BuiltPatient& patient, const LumbarSpine& spine) {
   std::string text;
   for (const Interspace& gap : spine.interspaces) {
@@ -128,8 +128,8 @@ void build_lumbar(BuiltPatient& patient, const FoundSpine& found, const PatientO
   }
 }
 
-// The user's path must not go into cord, nor may a level be asked for where no spine was found.
-void check_wishes(const BuiltPatient& patient, const PatientOptions& options, bool levels_known) {
+// The user's path must not enter the cord, nor may a level be requested if no spine was found.
+void check_options(const BuiltPatient& patient, const PatientOptions& options, bool levels_known) {
   if (!options.level.empty() && !patient.path) {
     throw InputError(fmt::format("--level is {}, but no lumbar interspace was found in this CT", options.level));
   }
@@ -197,7 +197,7 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
   const TissueLattice lattice = divide_lattice(ct.grid, options.tissue_spacing);
   report("Telling tissues apart", 0.0);
   patient.tissues = classify_tissues(ct, structures, table, options.library, lattice, body, progress);
-  for (std::string& note : take_out_dense_pieces(patient.tissues, ct, structures, lattice, body))
+  for (std::string& note : remove_dense_pieces(patient.tissues, ct, structures, lattice, body))
     patient.notes.push_back(std::move(note));
   const double contrast = take_out_contrast_on_bone(patient.tissues, ct, structures, lattice, body);
   if (contrast > 0.0) {
@@ -228,7 +228,7 @@ BuiltPatient build_patient(const anatomy::CtVolume& ct, const anatomy::LabelVolu
                                         "--lowest-vertebra which vertebra lies above its lowest interspace",
                                         why_not)));
     }
-    check_wishes(patient, options, levels_known);
+    check_options(patient, options, levels_known);
   }
   report("Building the spine", 1.0);
   return patient;

@@ -27,7 +27,7 @@ Progress part_of(const Progress& progress, double from, double to) {
   return [=](std::string_view stage, double fraction) { progress(stage, from + (to - from) * fraction); };
 }
 
-// Tissues of `patient` with what `after` has other than `before`. Returns how many voxels changed.
+// Applies to the tissues of `patient` the differences of `after` from `before`. Returns the number of changed voxels.
 std::size_t take_differences(anatomy::TissueVolume& tissues, const anatomy::TissueVolume& before,
                              const anatomy::TissueVolume& after) {
   std::size_t changed = 0;
@@ -54,7 +54,7 @@ std::size_t take_differences(anatomy::TissueVolume& tissues, const anatomy::Tiss
   return changed;
 }
 
-// What is wrong with a path of this patient by its soundness and by the rules; empty: nothing.
+// The defect of a path of this patient, by its validity and by the rules; empty: none.
 std::string trouble_with_path(const anatomy::Case& patient, const PlanningRules& rules,
                               const anatomy::NeedlePath& path) {
   const std::vector<std::string> problems = io::path_problems(patient, path);
@@ -78,7 +78,7 @@ void mend_path(const anatomy::Case& before, anatomy::Case& patient, const Planni
   const PatientView view = view_of(patient);
   const Obstacles obstacles = find_obstacles(view, rules, path->target);
   const PathSearch search =
-      search_paths(view, obstacles, path->target, wishes_for(patient.description.needle, rules));
+      search_paths(view, obstacles, path->target, criteria_for(patient.description.needle, rules));
   if (search.proposals.empty()) {
     notes.push_back(fmt::format("The planned path was taken out, because {}. {}", trouble, search.why_not));
     path.reset();
@@ -99,7 +99,8 @@ void keep_other_files(const std::filesystem::path& from, const std::filesystem::
     if (name.starts_with("mesh.")) {
       if (name == "mesh.vtu")
         notes.push_back(
-            "The mesh of this case was of the tissues before and is left out; 'bodkin case mesh' makes one.");
+            "The mesh of this case was made from the previous tissues and is left out; 'bodkin case mesh' makes a "
+            "new one.");
       continue;
     }
     std::filesystem::copy(entry.path(), to / name, std::filesystem::copy_options::recursive);
@@ -144,7 +145,7 @@ RelabelledCase relabel_case(const Relabelling& wanted, const Progress& progress)
   patient.structures = std::move(labels);
   anatomy::CaseDescription& description = patient.description;
   description.structures = std::move(table);
-  // Found in the labels; a synthetic patient knows his own.
+  // Found in the labels; a synthetic patient has his own.
   const auto same_places = [](const anatomy::Landmark& a, const anatomy::Landmark& b) {
     return a.name == b.name && a.position == b.position;
   };

@@ -9,9 +9,9 @@
 
 namespace bodkin::patient {
 
-// Reads one image along the rows of another lattice that has the same axes but other voxel edges: trilinear between
-// voxel centres, border values beyond the outermost centres. A row costs four loads per source voxel and two per
-// sample, which is what makes whole volumes of tissue affordable.
+// Reads one image along the rows of another lattice with the same axes but other voxel edges: trilinear between voxel
+// centres, border values beyond the outermost centres. A row costs four loads per source voxel and two per sample,
+// which makes whole volumes of tissue affordable.
 template <typename Voxel>
 class RowSampler {
  public:
@@ -31,7 +31,7 @@ class RowSampler {
     }
   }
 
-  // Fills `row` with the samples of target row (j, k); `scratch` is working memory that a thread keeps.
+  // Fills `row` with the samples of target row (j, k); `scratch` is working memory kept by a thread.
   void read(int j, int k, std::vector<float>& row, std::vector<float>& scratch) const {
     const Tap& tj = taps_[1][static_cast<std::size_t>(j)];
     const Tap& tk = taps_[2][static_cast<std::size_t>(k)];

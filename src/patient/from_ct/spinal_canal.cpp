@@ -35,7 +35,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Drops values that stand off the median of the known ones within +-reach by more than `most`.
+// Drops values that differ by more than `most` from the median of the known ones within +-reach.
 void drop_outliers(std::vector<double>& front, std::vector<double>& back, int reach, double most) {
   const auto clean = [&](const std::vector<double>& values, int n) {
     std::vector<double> near;
@@ -69,7 +69,7 @@ std::pair<double, double> sides(const SpineView& view, const CanalSection& secti
   return {found[0], found[1]};
 }
 
-// Moves the sections to the middle between the pedicles and facets, where both sides are seen.
+// Moves the sections to the middle between the pedicles and facets, where both sides are visible.
 void centre_sections(const SpineView& view, SpinalCanal& canal) {
   std::vector<double> shift(canal.sections.size(), missing);
   for (std::size_t n = 0; n < shift.size(); ++n) {
@@ -118,7 +118,7 @@ std::vector<double> moving_average(const std::vector<double>& values, int reach)
   std::vector<double> out(values.size());
   const int count = static_cast<int>(values.size());
   for (int n = 0; n < count; ++n) {
-    // The window shrinks evenly on both sides near the ends, so that a slope stays a slope.
+    // The window shrinks symmetrically near the ends, so that a slope remains a slope.
     const int r = std::min({reach, n, count - 1 - n});
     double sum = 0.0;
     for (int m = n - r; m <= n + r; ++m) sum += values[static_cast<std::size_t>(m)];
@@ -201,7 +201,7 @@ std::optional<CanalGap> canal_gap(const SpineView& view, int i, int k) {
     if (!bone(j)) continue;
     if (tip < 0) tip = j;
     if (bone(j - 1)) continue;
-    // A gap begins before row j: where does a body or a disc end it?
+    // A gap begins before row j: finds its end at a body or a disc.
     int front = j - 1;
     while (front > 0 && !bone(front) &&
            !(mean_ahead(front, 6.0) > 65.0 && mean_ahead(front, 12.0) > 60.0 && (j - front) * step > 9.0))

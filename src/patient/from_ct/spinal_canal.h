@@ -29,12 +29,12 @@ struct SpinalCanal {
   double cosine(double z) const;
 };
 
-// From the voxels of a canal label. Nothing when they span less than 15 mm.
+// From the voxels of a canal label. Empty if they span less than 15 mm.
 std::optional<SpinalCanal> canal_from_label(const SpineView& view);
 
 // From bone, along a midline (LPS x for each slice of the view): wherever a lamina lies behind and a vertebral body
-// or disc in front of a gap of 9 to 27 mm, that gap is the canal; between laminae it is interpolated. Nothing when
-// fewer than `least` mm of laminae are found.
+// or disc in front of a gap of 9 to 27 mm, that gap is the canal; between laminae it is interpolated. Empty if fewer
+// than `least` mm of laminae are found.
 std::optional<SpinalCanal> canal_from_bone(const SpineView& view, const std::vector<double>& midline, double least);
 
 // The gap behind a body and before a lamina in one sagittal row, LPS y.

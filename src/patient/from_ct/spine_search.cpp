@@ -35,7 +35,7 @@ std::vector<double> midline_of_labels(const SpineView& view) {
 
 FoundSpine found_in(const SpineSearch& search, SpineView view, SpinalCanal canal, const char* source) {
   constexpr double coarse = 2.0;  // mm
-  LevelWords words{{}, search.options.lowest_vertebra, search.options.conus, search.ct.grid.spacing.maxCoeff()};
+  LevelTexts words{{}, search.options.lowest_vertebra, search.options.conus, search.ct.grid.spacing.maxCoeff()};
   LumbarSpine spine = find_interspaces(view, canal, words);
   if (spine.levels.confidence < LevelConfidence::high && !spine.levels.names.empty()) {
     const SpineView wide =
@@ -47,7 +47,7 @@ FoundSpine found_in(const SpineSearch& search, SpineView view, SpinalCanal canal
   return {std::move(view), std::move(spine), source};
 }
 
-// LPS z of the lowest lung in the image; far above the image when it shows none.
+// LPS z of the lowest lung in the image; far above the image if there is none.
 double lung_base(const BodySurface& body) {
   double base = 1e9;
   const anatomy::Grid& grid = body.lung.grid;
@@ -61,8 +61,8 @@ double lung_base(const BodySurface& body) {
   return base;
 }
 
-// Why a spine that only bone shows is no lumbar spine that a needle could be planned into, as the end of a sentence;
-// empty when it may be one.
+// Why a spine known only by bone is not a lumbar spine for planning a needle, as the end of a sentence; empty if it
+// may be one.
 std::string why_not_lumbar(const LumbarSpine& spine, const anatomy::CtVolume& ct, const BodySurface& body) {
   const PatientBox image = box_of_image(ct.grid);
   const auto& sections = spine.canal.sections;
@@ -108,7 +108,7 @@ std::optional<FoundSpine> find_spine(const SpineSearch& search, std::string& why
     std::vector<double> x;
     for (int k = 0; k < view.grid().size[2]; ++k) x.push_back(midline->x_at(view.z_of(k)));
     canal = canal_from_bone(view, x, 2 * least_labelled_laminae);
-    // The spinous processes show the midline finer than the search did.
+    // The spinous processes show the midline more precisely than the search.
     for (int pass = 0; pass < 2 && canal; ++pass) {
       const LumbarSpine spine = find_interspaces(view, *canal);
       for (std::size_t k = 0; k < x.size(); ++k) {
@@ -119,7 +119,7 @@ std::optional<FoundSpine> find_spine(const SpineSearch& search, std::string& why
     }
     if (!canal) return std::nullopt;
     const LumbarSpine bare = find_interspaces(view, *canal);
-    if (bare.interspaces.empty()) return std::nullopt;  // without them bone alone proves no spine
+    if (bare.interspaces.empty()) return std::nullopt;  // without them bone alone is no proof of a spine
     if (options.lowest_vertebra.empty()) why_not = why_not_lumbar(bare, ct, body);
     if (!why_not.empty()) return std::nullopt;
     fill_marrow(view, tissues, *canal);

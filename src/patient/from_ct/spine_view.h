@@ -11,7 +11,7 @@
 
 namespace bodkin::patient {
 
-// What a structure means for the spine.
+// The role of a structure in the spine.
 namespace spine_role {
 inline constexpr std::uint8_t none = 0;
 // 1 .. 13: vertebrae T1 .. T13
@@ -21,11 +21,11 @@ inline constexpr std::uint8_t vertebra = 21;  // a vertebra, or a part of one, o
 inline constexpr std::uint8_t canal = 22;
 }  // namespace spine_role
 
-// Reads roles off the names of structures ("vertebrae_L3", "L3", "sacrum", "Arcus_Vertebrae", ...) and off the tissue
-// "spinal_canal". One entry per label, 65536.
+// Derives roles from the names of structures ("vertebrae_L3", "L3", "sacrum", "Arcus_Vertebrae", ...) and from the
+// tissue "spinal_canal". One entry per label, 65536.
 std::vector<std::uint8_t> spine_roles(const std::vector<anatomy::Structure>& table);
 
-// "L3", "T12", "S1"; empty for roles that name no level.
+// "L3", "T12", "S1"; empty for roles without a level.
 std::string level_name(std::uint8_t role);
 
 // A stretch of the spine on its own lattice, whatever the axes of the CT: isotropic, i to the left, j to the back, k
@@ -43,7 +43,7 @@ struct SpineView {
   double x_of(int i) const { return grid().origin.x() + i * grid().spacing.x(); }
   double y_of(int j) const { return grid().origin.y() + j * grid().spacing.y(); }
   double z_of(int k) const { return grid().origin.z() + k * grid().spacing.z(); }
-  // Bone at indices; nothing beyond the view.
+  // Bone at indices; false outside the view.
   bool bone_at(int i, int j, int k) const { return grid().contains(i, j, k) && bone.at(i, j, k) != 0; }
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double newborn_conus = 3.5, adult_age = 2.0;
 constexpr int usual_lumbar = 5;
 constexpr double rib_reach = 8.0;    // mm below which the interspace under the vertebra of a rib lies
-constexpr double crest_reach = 1.2;  // vertebrae between the line of the iliac crests and L4/L5, at most
+constexpr double crest_reach = 1.2;  // at most, vertebrae between the line of the iliac crests and L4/L5
 constexpr SpinePlace crest_place = 5.0;
 
 // The vertebra with the number n (L1 = 1, T12 = 0), as people write it. `last` is the last lumbar one.
@@ -53,7 +53,7 @@ VertebralLevels unnamed(const LevelEvidence& evidence, std::string why) {
   return levels;
 }
 
-// Names by the number of the vertebra above interspace `index`; `last` is the last lumbar vertebra.
+// Names from the number of the vertebra above interspace `index`; `last` is the last lumbar vertebra.
 VertebralLevels counted(const LevelEvidence& evidence, std::size_t index, int upper, int last,
                         LevelConfidence confidence, std::string why) {
   VertebralLevels levels;
@@ -68,7 +68,7 @@ VertebralLevels counted(const LevelEvidence& evidence, std::size_t index, int up
   return levels;
 }
 
-// By labels: every interspace whose two neighbours are labelled, when they follow each other.
+// By labels: every interspace whose two neighbours are labelled as consecutive vertebrae.
 VertebralLevels by_labels(const LevelEvidence& evidence) {
   const auto wrong = [&](const LevelEvidence::Interspace& gap) {
     return unnamed(evidence,
@@ -94,9 +94,9 @@ VertebralLevels by_labels(const LevelEvidence& evidence) {
                  fmt::format("Levels are named by the labels of the vertebrae{}.", transitional));
 }
 
-// Where L5/S1 is, seen from the top of the sacrum.
+// The position of L5/S1, from the top of the sacrum.
 struct AboveSacrum {
-  std::size_t index;  // of L5/S1; one past the interspace above it when it is not seen itself
+  std::size_t index;  // of L5/S1; one past the interspace above it if it is not visible
   bool seen;
 };
 
@@ -119,13 +119,13 @@ std::optional<std::size_t> below_ribs(const LevelEvidence& evidence) {
   if (!evidence.lowest_rib) return std::nullopt;
   for (std::size_t n = 0; n < evidence.interspaces.size(); ++n) {
     if (evidence.interspaces[n].z >= *evidence.lowest_rib - rib_reach) continue;
-    // An interspace further below is not the next one: those between were not seen.
+    // An interspace farther below is not the next one: those between were not found.
     return *evidence.lowest_rib - evidence.interspaces[n].z < 45.0 ? std::optional(n) : std::nullopt;
   }
   return std::nullopt;
 }
 
-// Where the height z lies when interspace `index` has the place `place`; nothing beyond the interspaces.
+// The level of the height z if interspace `index` has the place `place`; nothing beyond the interspaces.
 std::optional<SpinePlace> place_at(const LevelEvidence& evidence, std::size_t index, SpinePlace place, double z) {
   const auto& gaps = evidence.interspaces;
   for (std::size_t n = 0; n + 1 < gaps.size(); ++n) {
@@ -221,7 +221,7 @@ VertebralLevels name_levels(const LevelEvidence& evidence) {
           evidence,
           fmt::format(
               "between the lowest ribs (z = {:.0f}) and the sacrum (z = {:.0f}) there are {} vertebrae instead "
-              "of {}, a transitional vertebra or one that was not told apart",
+              "of {}, a transitional vertebra or one that was not recognised",
               *evidence.lowest_rib, *evidence.sacrum, lumbar, usual_lumbar));
     }
     return counted(
@@ -240,8 +240,8 @@ VertebralLevels name_levels(const LevelEvidence& evidence) {
     return unnamed(evidence, fmt::format("counted {} the iliac crests, at z = {:.0f}, would not lie near L4/L5",
                                          counting, *evidence.iliac_crest));
   }
-  // Without the crests a twelfth rib too short to be seen would make every name one level too low, and so would an
-  // L5/S1 that is not seen.
+  // Without the crests a twelfth rib too short to be visible would make every name one level too low, as would an
+  // invisible L5/S1.
   if (!offset && !(sacrum && sacrum->seen)) {
     return unnamed(evidence, fmt::format("nothing confirms a count {}", counting));
   }

@@ -14,25 +14,25 @@ using SpinePlace = double;
 
 // Level of the conus, the lower end of the cord: the lower third of L1 in adults (mean of 504 MRI, Saifuddin et al.
 // 1998, reference/conus_level.csv; range middle of T12 to upper third of L3). In the newborn it is the middle of L3
-// and rises evenly to the adult level at two years, our reading of "within the first year or two". `age` in years, >=
-// 0.
+// and rises linearly to the adult level at two years, our reading of "within the first year or two". `age` in years,
+// >= 0.
 SpinePlace conus_at_age(double age);
 inline constexpr SpinePlace adult_conus = 1.83;
 
-// Reads the place of a vertebra ("L2": its middle) or of an interspace ("L1_L2"); T10 to L6 and S1. Nothing for other
+// Parses the place of a vertebra ("L2": its middle) or of an interspace ("L1_L2"); T10 to L6 and S1. Empty for other
 // words.
 std::optional<SpinePlace> place_named(std::string_view name);
-// Reads an interspace, "T12_L1" to "L5_S1" or "L6_S1". Nothing for other words.
+// Parses an interspace, "T12_L1" to "L5_S1" or "L6_S1". Empty for other words.
 std::optional<SpinePlace> interspace_named(std::string_view name);
 // "lower third of L1", "interspace L1_L2".
 std::string describe_place(SpinePlace place);
 
-// The interspaces at which a lumbar puncture, an epidural or a spinal anaesthesia may be planned without the user
-// naming the level: L2/L3 and below ("accepted by some, above it the cord may be met", reference/conus_level.csv),
-// and at least one whole vertebra below the conus.
+// Whether a lumbar puncture, an epidural or a spinal anaesthesia may be planned at an interspace that the user has
+// not named: L2/L3 and below ("accepted by some, above it the cord may be met", reference/conus_level.csv), and at
+// least one whole vertebra below the conus.
 bool may_plan_at(SpinePlace interspace, SpinePlace conus);
 
-// What a spine shows about its levels. Indices count interspaces from the head, 0 first.
+// Evidence of a spine's levels. Indices count interspaces from the head, 0 first.
 struct LevelEvidence {
   struct Interspace {
     double z;  // LPS mm of its middle
@@ -43,32 +43,29 @@ struct LevelEvidence {
   std::optional<double> sacrum;         // LPS z of the top of the sacrum, by its wings
   std::optional<double> lowest_rib;     // LPS z at which the lowest ribs leave the spine
   std::optional<double> iliac_crest;    // LPS z of the highest point of the iliac crests
-  std::string lowest_vertebra;          // the user's word: the vertebra above the lowest
-                                        // interspace, "L5"; or empty
+  std::string lowest_vertebra;  // stated by the user: the vertebra above the lowest interspace, "L5"; or empty
 };
 
-// How far the names can be trusted: not at all; by one end of the lumbar spine; by both ends or by labels; by the
-// user's word.
+// Reliability of the names: none; by one end of the lumbar spine; by both ends or by labels; by the user's statement.
 enum class LevelConfidence { unknown, moderate, high, stated };
 const char* to_string(LevelConfidence confidence);
 
 struct VertebralLevels {
   std::vector<std::string> names;                 // of the interspaces of the evidence; empty = above T10
-  std::vector<std::optional<SpinePlace>> places;  // of the same; nothing = not known
+  std::vector<std::optional<SpinePlace>> places;  // of the same interspaces; empty = unknown
   LevelConfidence confidence = LevelConfidence::unknown;
-  std::string evidence;  // a sentence for people: how the names came about, or
-                         // why there are none
+  std::string evidence;  // a sentence for people: the basis of the names, or why there are none
   bool known() const { return confidence != LevelConfidence::unknown; }
 };
 
-// Throws InputError when the user's word is not the name of a vertebra.
+// Throws InputError when the user's statement is not the name of a vertebra.
 void require_vertebra(const std::string& lowest_vertebra);
 
-// Names the interspaces: by the user's word, else by labels, else counted up from the sacrum and down from the lowest
-// ribs; one end alone must be confirmed by the iliac crests, or be a sacrum with L5/S1 in sight above it. Where the
-// two ends, or the labels among each other, do not agree (a transitional vertebra, a wrong label), and where there is
-// no evidence, names are "interspace_1", ... from below. Throws InputError when the user's word is not the name of a
-// vertebra.
+// Names the interspaces: by the user's statement, else by labels, else counted up from the sacrum and down from the
+// lowest ribs; a single end must be confirmed by the iliac crests, or be a sacrum with L5/S1 visible above it. If the
+// two ends, or the labels among each other, disagree (a transitional vertebra, a wrong label), or there is no
+// evidence, names are "interspace_1", ... from below. Throws InputError when the user's statement is not the name of
+// a vertebra.
 VertebralLevels name_levels(const LevelEvidence& evidence);
 
 }  // namespace bodkin::patient

@@ -12,19 +12,20 @@
 namespace bodkin::patient {
 namespace {
 
-// [D] How edges grow with the distance from where they are fine.
+// [D] Growth of edges with the distance from the fine region.
 constexpr double growth_from_corridor = 0.30;  // mm of edge per mm, inside a tissue
 constexpr double border_growth = 0.20;         // the same at a border between tissues
-constexpr double voxels_per_edge = 2.5;        // the lattice need not be finer than that
+constexpr double voxels_per_edge = 2.5;        // the lattice need not be finer
 constexpr std::size_t most_voxels = 40'000'000;
-constexpr double layer_step = 0.05;      // mm, along the path
-constexpr double corner_of_voxel = 0.5;  // of a voxel: what the path crosses less of is no layer
-constexpr double held_radius = 4.0;      // [D] mm around the path in which a layer is held
-constexpr double held_growth = 0.3;      // [D] mm of edge per mm farther away
-// [D] mm around the path in which a stiff skin is held: one of 2 mm that is 25 times as stiff as fat then dimples 2 %
-// more than one that covers everything.
-constexpr double held_skin_radius = 12.0;
-constexpr double stiff = 2.0;  // skin by fat
+constexpr double layer_step = 0.05;       // mm, along the path
+constexpr double corner_of_voxel = 0.5;   // of a voxel: a shorter crossing of the path is not a layer
+constexpr double preserved_radius = 4.0;  // [D] mm around the path in which a layer is preserved
+constexpr double edge_growth = 0.3;       // [D] mm of edge per mm farther away
+// [D] mm around the path in which a stiff skin is preserved: a skin of 2 mm, 25 times as stiff as fat, then dimples 2
+// % more than one that covers everything.
+constexpr double preserved_skin_radius = 12.0;
+constexpr double stiff = 2.0;                // skin over fat
+constexpr double layer_surroundings = 25.0;  // mm
 
 struct Box {
   std::array<int, 3> low, high;  // voxels, both included
@@ -51,7 +52,7 @@ std::optional<Box> around(const anatomy::Grid& grid, const anatomy::NeedlePath& 
   return box;
 }
 
-// The part of a box that holds tissue; nothing when it holds none.
+// The part of a box that contains tissue; nothing if it contains none.
 std::optional<Box> with_tissue(const anatomy::TissueVolume& tissues, const Box& box) {
   Box found{box.high, box.low};
   bool any = false;
@@ -119,7 +120,7 @@ anatomy::TissueVolume take_out(const anatomy::TissueVolume& tissues, const Box& 
   return part;
 }
 
-void wish_edges(const std::optional<anatomy::NeedlePath>& path, const MeshSettings& settings, MeshPlan& plan) {
+void set_edges(const std::optional<anatomy::NeedlePath>& path, const MeshSettings& settings, MeshPlan& plan) {
   const anatomy::Grid& grid = plan.tissues.grid;
   plan.border_edges.reserve(grid.voxel_count());
   plan.inner_edges.reserve(grid.voxel_count());
@@ -162,13 +163,13 @@ double distance_to_others(const Vec3& place, anatomy::TissueId tissue, double fa
   return nearest;
 }
 
-// The place on the path at which a layer is widest, and how wide it is there: a ligament that the path follows
-// lengthwise is thinner than the path in it is long.
+// The place on the path where a layer is widest, and its width there: a ligament along the path is thinner than the
+// length of the path in it.
 void find_widest(PathLayer& layer, const anatomy::TissueVolume& tissues) {
   const double voxel = tissues.grid.spacing.minCoeff(), farthest = 0.5 * (layer.thickness() + voxel);
   const int pieces = 2 * std::max(1, static_cast<int>(std::ceil(layer.thickness() / voxel)));
   for (int piece = 0; piece <= pieces; ++piece) {
-    // From the middle outwards, so that of equals the one in the middle is taken.
+    // From the middle outwards, so that of equal places the middle one is taken.
     const int aside = (piece + 1) / 2 * (piece % 2 == 0 ? 1 : -1);
     const Vec3 place = layer.middle() + static_cast<double>(aside) / pieces * (layer.to - layer.from);
     const double width = 2.0 * distance_to_others(place, layer.tissue, farthest, tissues) - voxel;
@@ -178,32 +179,49 @@ void find_widest(PathLayer& layer, const anatomy::TissueVolume& tissues) {
   }
 }
 
-// mm; a layer of two voxels has no ball of more than one in it.
-double edge_that_holds(const PathLayer& layer, const anatomy::Grid& grid) {
+// mm; a layer of two voxels contains no ball of more than one.
+double preserving_edge(const PathLayer& layer, const anatomy::Grid& grid) {
   const double voxel = grid.spacing.minCoeff();
   return std::max(layer.width - voxel, std::min(layer.thickness(), voxel));
 }
 
-// Edges that hold a layer, around the place where the path crosses it.
-void hold_layers(MeshPlan& plan) {
+// The box around the layers of the path, without the outermost voxels.
+Box around(const std::vector<PathLayer>& layers, const anatomy::Grid& grid) {
+  Box box{{grid.size[0] - 2, grid.size[1] - 2, grid.size[2] - 2}, {1, 1, 1}};
+  for (const PathLayer& layer : layers) {
+    for (const Vec3& end : {layer.from, layer.to}) {
+      const Vec3 index = grid.to_index(end);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        const double room = layer_surroundings / grid.spacing[i], last = grid.size[axis] - 2;
+        box.low[axis] = std::min(box.low[axis], static_cast<int>(std::clamp(index[i] - room, 1.0, last)));
+        box.high[axis] = std::max(box.high[axis], static_cast<int>(std::clamp(index[i] + room, 1.0, last)));
+      }
+    }
+  }
+  return box;
+}
+
+// Edge lengths that preserve a layer, around its crossing by the path.
+void preserve_layers(MeshPlan& plan) {
   const anatomy::Grid& grid = plan.tissues.grid;
-  plan.held_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
+  plan.preserving_edges.assign(grid.voxel_count(), std::numeric_limits<float>::infinity());
   for (int k = 0; k < grid.size[2]; ++k) {
     for (int j = 0; j < grid.size[1]; ++j) {
       for (int i = 0; i < grid.size[0]; ++i) {
         const Vec3 place = grid.to_patient(Vec3(i, j, k));
-        float& edge = plan.held_edges[grid.offset(i, j, k)];
+        float& edge = plan.preserving_edges[grid.offset(i, j, k)];
         for (const PathLayer& layer : plan.layers) {
-          const double away = std::max(0.0, distance_to_layer(place, layer) - held_radius);
-          edge = std::min(edge, static_cast<float>(edge_that_holds(layer, grid) + held_growth * away));
+          const double away = std::max(0.0, distance_to_layer(place, layer) - preserved_radius);
+          edge = std::min(edge, static_cast<float>(preserving_edge(layer, grid) + edge_growth * away));
         }
       }
     }
   }
 }
 
-// Edges that hold the skin as far around the path as a stiff one bends, and grow from there into what lies below.
-void hold_skin(MeshPlan& plan) {
+// Edge lengths that preserve the skin as far around the path as it bends, and grow from there inwards.
+void preserve_skin(MeshPlan& plan) {
   const auto skin = std::ranges::find(plan.layers, anatomy::tissue::skin, &PathLayer::tissue);
   if (skin == plan.layers.end()) return;
   const anatomy::Grid& grid = plan.tissues.grid;
@@ -212,13 +230,13 @@ void hold_skin(MeshPlan& plan) {
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i)
         if (plan.tissues.at(i, j, k) == anatomy::tissue::skin &&
-            distance_to_layer(grid.to_patient(Vec3(i, j, k)), *skin) <= held_skin_radius)
+            distance_to_layer(grid.to_patient(Vec3(i, j, k)), *skin) <= preserved_skin_radius)
           held.at(i, j, k) = 1;
   const std::vector<float> away = anatomy::distance_to_other_label(held);
-  const double edge = edge_that_holds(*skin, grid);
+  const double edge = preserving_edge(*skin, grid);
   for (std::size_t voxel = 0; voxel < away.size(); ++voxel) {
-    const double here = held.voxels[voxel] != 0 ? edge : edge + held_growth * static_cast<double>(away[voxel]);
-    plan.held_edges[voxel] = std::min(plan.held_edges[voxel], static_cast<float>(here));
+    const double here = held.voxels[voxel] != 0 ? edge : edge + edge_growth * static_cast<double>(away[voxel]);
+    plan.preserving_edges[voxel] = std::min(plan.preserving_edges[voxel], static_cast<float>(here));
   }
 }
 
@@ -260,6 +278,34 @@ bool has_stiff_skin(const anatomy::TissueLibrary& library) {
   return skin != nullptr && fat != nullptr && skin->deformable.young >= stiff * fat->deformable.young;
 }
 
+MeshPlan around_layers(const MeshPlan& plan) {
+  if (plan.layers.empty()) return plan;
+  const anatomy::Grid& whole_grid = plan.tissues.grid;
+  const Box box = around(plan.layers, whole_grid);
+  MeshPlan part;
+  part.tissues = take_out(plan.tissues, box, {1, 1, 1});
+  part.layers = plan.layers;
+  part.boxed = true;
+  const anatomy::Grid& grid = part.tissues.grid;
+  const auto copied = [&](const std::vector<float>& edges) {
+    std::vector<float> found;
+    if (edges.empty()) return found;
+    found.reserve(grid.voxel_count());
+    for (int k = 0; k < grid.size[2]; ++k) {
+      for (int j = 0; j < grid.size[1]; ++j) {
+        const auto first = edges.begin() + static_cast<std::ptrdiff_t>(whole_grid.offset(
+                                               box.low[0] - 1, box.low[1] - 1 + j, box.low[2] - 1 + k));
+        found.insert(found.end(), first, first + grid.size[0]);
+      }
+    }
+    return found;
+  };
+  part.border_edges = copied(plan.border_edges);
+  part.inner_edges = copied(plan.inner_edges);
+  part.preserving_edges = copied(plan.preserving_edges);
+  return part;
+}
+
 MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<anatomy::NeedlePath>& path,
                    const MeshSettings& settings) {
   const Box all = whole(tissues.grid);
@@ -274,15 +320,15 @@ MeshPlan plan_mesh(const anatomy::TissueVolume& tissues, const std::optional<ana
   MeshPlan plan;
   double finest = settings.fine;
   if (path) plan.layers = layers_on(*path, settings.corridor_beyond, tissues);
-  if (settings.hold_layers) {
-    for (const PathLayer& layer : plan.layers) finest = std::min(finest, edge_that_holds(layer, tissues.grid));
+  if (settings.preserve_layers) {
+    for (const PathLayer& layer : plan.layers) finest = std::min(finest, preserving_edge(layer, tissues.grid));
   }
   plan.tissues = take_out(tissues, *body, stride_of(tissues.grid, *body, finest));
   const std::optional<Box> everything = with_tissue(tissues, all);
   plan.boxed = everything->low != body->low || everything->high != body->high;
-  wish_edges(path, settings, plan);
-  if (settings.hold_layers && path) hold_layers(plan);
-  if (settings.hold_layers && path && settings.stiff_skin) hold_skin(plan);
+  set_edges(path, settings, plan);
+  if (settings.preserve_layers && path) preserve_layers(plan);
+  if (settings.preserve_layers && path && settings.stiff_skin) preserve_skin(plan);
   return plan;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int mesher_version = 1;  // rises when the same input is meshed otherwise
+constexpr int mesher_version = 1;  // increased when the same input gives another mesh
 constexpr std::size_t largest_record = 1U << 20U, largest_mesh = std::size_t{2} << 30U;  // bytes
 
 std::optional<MeshRecord> parse_record(const std::string& text) {
@@ -52,8 +52,8 @@ std::string mesh_made_from(const anatomy::TissueVolume& tissues, const std::opti
   if (path) {
     for (const Vec3& end : {path->entry, path->target}) text += fmt::format(" {} {} {}", end.x(), end.y(), end.z());
   }
-  if (settings.hold_layers) text += " layers held";
-  if (settings.hold_layers && settings.stiff_skin) text += " stiff skin";
+  if (settings.preserve_layers) text += " layers held";
+  if (settings.preserve_layers && settings.stiff_skin) text += " stiff skin";
   return io::bytes_digest(text);
 }
 

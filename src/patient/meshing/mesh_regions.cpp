@@ -27,7 +27,7 @@ anatomy::TissueId tissue_of(const io::ForeignMesh& foreign, std::int64_t region,
     const bool known = region > 0 && region < 255 && library.find(static_cast<anatomy::TissueId>(region)) != nullptr;
     if (!known) {
       throw InputError(
-          fmt::format("{}: {} is the id of no tissue of the case; say with --regions what the regions are made of",
+          fmt::format("{}: {} is not the id of a tissue of the case; say with --regions what the regions are made of",
                       origin, region_name(foreign, region)));
     }
     return static_cast<anatomy::TissueId>(region);

@@ -9,10 +9,10 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double thinnest = 0.8;            // [D] of the local edge: below, a tissue is merged
+constexpr double thinnest = 0.8;            // [D] of the local edge: a thinner tissue is merged
 constexpr double growth_from_border = 0.6;  // [D] mm of edge per mm away from a border
 constexpr double nodes_per_cube = 1.25;     // nodes in a cube of one edge; measured on lumbar patients
-constexpr anatomy::TissueId unknown = 255;  // a voxel that came from another family
+constexpr anatomy::TissueId unknown = 255;  // a voxel taken over from another family
 
 using Voxels = std::vector<anatomy::TissueId>;
 
@@ -43,20 +43,22 @@ std::array<std::ptrdiff_t, 6> neighbour_steps(const anatomy::Grid& grid) {
   return {-layer, -row, -1, 1, row, layer};
 }
 
-// Spreads what is in `given` (0 = nothing) from voxel to voxel as far as `may` allows, nearest first.
+// Spreads the values of `given` (0 = none) from voxel to voxel as far as `may` allows, nearest first.
 template <typename Allowed>
 void spread(const anatomy::Grid& grid, Voxels& given, const Allowed& may) {
+  const auto steps = neighbour_steps(grid);
+  const auto takes = [&](std::size_t i, std::size_t j) { return given[j] == anatomy::tissue::air && may(i, j); };
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (given[i] != anatomy::tissue::air) front.push_back(i);
+    const auto spreads = [&](std::ptrdiff_t step) { return takes(i, i + static_cast<std::size_t>(step)); };
+    if (given[i] != anatomy::tissue::air && std::ranges::any_of(steps, spreads)) front.push_back(i);
   }
-  const auto steps = neighbour_steps(grid);
   while (!front.empty()) {
     std::vector<std::size_t> next;
     for (const std::size_t i : front) {
       for (const std::ptrdiff_t step : steps) {
         const std::size_t j = i + static_cast<std::size_t>(step);
-        if (given[j] != anatomy::tissue::air || !may(i, j)) continue;
+        if (!takes(i, j)) continue;
         given[j] = given[i];
         next.push_back(j);
       }
@@ -65,8 +67,8 @@ void spread(const anatomy::Grid& grid, Voxels& given, const Allowed& may) {
   }
 }
 
-// Calls `visit` with the voxels of each part that hangs together by faces, where `inside` voxels are joined if
-// `same`.
+// Calls `visit` with the voxels of each part connected through faces, where `inside` voxels are joined if `same`; it
+// may take them.
 template <typename Inside, typename Same, typename Visit>
 void for_parts(const anatomy::Grid& grid, const Inside& inside, const Same& same, const Visit& visit) {
   std::vector<bool> seen(grid.voxel_count(), false);
@@ -88,18 +90,19 @@ void for_parts(const anatomy::Grid& grid, const Inside& inside, const Same& same
   }
 }
 
-// What of `labels` stays; the rest is 0.
+// Keeps part of `labels`; the rest becomes 0.
 Voxels thick_parts(const anatomy::Volume<anatomy::TissueId>& labels, const std::vector<float>& radius) {
+  constexpr std::array left_out = {anatomy::tissue::air, unknown};
   const std::vector<std::uint8_t> kept =
-      anatomy::thick_enough(labels, anatomy::distance_to_other_label(labels), radius);
+      anatomy::thick_enough(labels, anatomy::distance_to_other_label(labels, left_out), radius, left_out);
   Voxels thick(labels.voxels.size(), anatomy::tissue::air);
   for (std::size_t i = 0; i < thick.size(); ++i) {
-    if (kept[i] != 0 && labels.voxels[i] != unknown) thick[i] = labels.voxels[i];
+    if (kept[i] != 0) thick[i] = labels.voxels[i];
   }
   return thick;
 }
 
-// Families of the voxels, thin parts given to their neighbours; 0 outside and where nothing is thick.
+// Families of the voxels, thin parts given to their neighbours; 0 outside and where no part is thick.
 Voxels merge_families(const anatomy::TissueVolume& tissues, const std::vector<float>& radius) {
   anatomy::Volume<anatomy::TissueId> families(tissues.grid);
   std::transform(tissues.voxels.begin(), tissues.voxels.end(), families.voxels.begin(), family_of);
@@ -138,8 +141,8 @@ void keep_largest(anatomy::TissueVolume& tissues) {
   for_parts(
       tissues.grid, [&](std::size_t i) { return tissues.voxels[i] != anatomy::tissue::air; },
       [](std::size_t, std::size_t) { return true; },
-      [&](const std::vector<std::size_t>& part) {
-        if (part.size() > largest.size()) largest = part;
+      [&](std::vector<std::size_t>& part) {
+        if (part.size() > largest.size()) std::swap(part, largest);
       });
   Voxels kept(tissues.voxels.size(), anatomy::tissue::air);
   for (const std::size_t i : largest) kept[i] = tissues.voxels[i];
@@ -153,7 +156,7 @@ MeshableTissues meshable_tissues(const MeshPlan& plan, double scale) {
   result.tissues = plan.tissues;
   anatomy::TissueVolume& tissues = result.tissues;
   const auto held = [&plan](std::size_t i, double edge) {
-    return plan.held_edges.empty() ? edge : std::min(edge, static_cast<double>(plan.held_edges[i]));
+    return plan.preserving_edges.empty() ? edge : std::min(edge, static_cast<double>(plan.preserving_edges[i]));
   };
   std::vector<float> radius(plan.border_edges.size());
   for (std::size_t i = 0; i < radius.size(); ++i) {

@@ -27,13 +27,13 @@ constexpr int most_rounds = 5;
 constexpr double close_enough = 0.10;  // of the wanted number of nodes
 constexpr double nodes_power = 2.6;    // nodes go with the edge to minus this, between a surface and a volume
 constexpr double least_power = 0.5, most_power = 4.0;  // [D] the same as found from two attempts
-constexpr double widest_scale = 50.0;                  // beyond this there is no sense in a scale
-// [D] Where layers are held, edges are at most this times those of the settings, and less where a layer would be
-// lost. Nodes are then those of the layers and of what grows about them: of lumbar patients the same from 6 to 50.
-constexpr double coarsest_when_held = 8.0;
-constexpr double finest_when_held = 0.5;
+constexpr double widest_scale = 50.0;                  // beyond this a scale makes no sense
+// [D] With preserved layers, edges are at most this times those of the settings, and less where a layer would be
+// lost. The nodes then depend on the layers and the growth around them: the same from 6 to 50 for lumbar patients.
+constexpr double coarsest_preserving = 8.0;
+constexpr double finest_preserving = 0.5;
 constexpr int halvings_of_coarsest = 7;  // of what lies between these two: then it is known to 2 %
-constexpr double mostly_gone = 0.5;      // share of a tissue that is said to have been merged
+constexpr double reported_loss = 0.5;    // share of a tissue above which its merging is reported
 constexpr std::size_t bytes_per_node = 3 * sizeof(double), bytes_per_element = 4 * sizeof(std::uint32_t) + 1;
 
 struct Attempt {
@@ -49,16 +49,16 @@ io::ChildLimits mesher_limits() {
   return limits;
 }
 
-[[noreturn]] void fail_worker(const io::WorkerTalk& talk) {
-  if (talk.kind == "memory") throw SystemError("the mesh needs more memory than there is; ask for fewer nodes");
-  if (!talk.error.empty()) throw SystemError(fmt::format("bodkin-mesher failed: {}", talk.error));
-  if (talk.child.end == io::ChildEnd::out_of_time) {
+[[noreturn]] void fail_worker(const io::WorkerOutput& output) {
+  if (output.kind == "memory") throw SystemError("the mesh needs more memory than there is; ask for fewer nodes");
+  if (!output.error.empty()) throw SystemError(fmt::format("bodkin-mesher failed: {}", output.error));
+  if (output.child.end == io::ChildEnd::out_of_time) {
     throw SystemError("meshing took more than ten minutes and was given up; ask for fewer nodes");
   }
-  throw SystemError("bodkin-mesher ended without a word; ask for fewer nodes");
+  throw SystemError("bodkin-mesher ended without a message; ask for fewer nodes");
 }
 
-// The mesh that the worker left in shared memory, in patient coordinates.
+// The worker's mesh from shared memory, in patient coordinates.
 anatomy::TetrahedralMesh take_mesh(const io::SharedMemory& memory, const json& result, const anatomy::Grid& grid) {
   const std::size_t nodes = result.value("nodes", std::size_t{0}),
                     elements = result.value("elements", std::size_t{0});
@@ -85,29 +85,29 @@ anatomy::TetrahedralMesh take_mesh(const io::SharedMemory& memory, const json& r
   return mesh;
 }
 
-Attempt run_mesher(const MeshableTissues& meshable, const json& wish, const Progress& progress) {
+Attempt run_mesher(const MeshableTissues& meshable, const json& options, const Progress& progress) {
   io::SharedMemory memory("bodkin-mesh");
   memory.append(meshable.tissues.voxels.data(), meshable.tissues.voxels.size());
   memory.append(meshable.edges.data(), meshable.edges.size() * sizeof(float));
-  json request = wish;
+  json request = options;
   const anatomy::Grid& grid = meshable.tissues.grid;
   request["size"] = grid.size;
   request["spacing"] = {grid.spacing.x(), grid.spacing.y(), grid.spacing.z()};
-  const io::WorkerTalk talk =
+  const io::WorkerOutput output =
       io::run_worker(mesh_program, "mesh", request.dump(), memory.descriptor(), mesher_limits(), progress);
-  if (!talk.succeeded()) fail_worker(talk);
-  const json result = json::parse(talk.result, nullptr, false);
+  if (!output.succeeded()) fail_worker(output);
+  const json result = json::parse(output.result, nullptr, false);
   return {result.value("refined_nodes", std::size_t{0}), take_mesh(memory, result, grid)};
 }
 
-// Which tissues lost half of their voxels or more to their neighbours, and what was cut off.
+// Tissues that lost half of their voxels or more to their neighbours, and the parts cut off.
 std::vector<std::string> merge_notes(const MeshPlan& plan, const MeshableTissues& merged,
                                      const anatomy::TissueLibrary& library) {
   std::vector<std::string> notes;
   std::string names;
   for (std::size_t id = 0; id < merged.before.size(); ++id) {
     const double left = static_cast<double>(merged.after[id]);
-    if (merged.before[id] == 0 || left > mostly_gone * static_cast<double>(merged.before[id])) continue;
+    if (merged.before[id] == 0 || left > reported_loss * static_cast<double>(merged.before[id])) continue;
     names += fmt::format("{}{}{}", names.empty() ? "" : ", ", library.title(static_cast<anatomy::TissueId>(id)),
                          merged.after[id] == 0 ? "" : " (in part)");
   }
@@ -135,18 +135,18 @@ std::string named(const std::vector<PathLayer>& layers, const anatomy::TissueLib
   return names;
 }
 
-// To three digits, upwards.
+// Rounded up to three digits.
 long long rounded_nodes(double nodes) {
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(nodes)) - 2.0));
   return static_cast<long long>(unit * std::ceil(nodes / unit));
 }
 
-// The nodes that a scale gave.
+// The number of nodes for a scale.
 struct ScaledNodes {
   double scale = 0.0, nodes = 0.0;
 };
 
-// How nodes go with the edge between two attempts: layers that are held take theirs whatever the scale is.
+// Exponent of the nodes over the edge between two attempts: preserved layers need the same nodes at any scale.
 double power_between(const ScaledNodes& a, const ScaledNodes& b, double otherwise) {
   const double power = std::log(a.nodes / b.nodes) / std::log(b.scale / a.scale);
   return std::isfinite(power) ? std::clamp(power, least_power, most_power) : otherwise;
@@ -155,31 +155,31 @@ double power_between(const ScaledNodes& a, const ScaledNodes& b, double otherwis
 // Looks for the scale that gives the wanted number of nodes, by attempts that missed it.
 class ScaleSearch {
  public:
-  // `coarsest`: the largest scale, with which there are the fewest nodes; nothing: there is none. `holds`: layers are
-  // held, so that nodes go otherwise with the edge than they usually do.
-  ScaleSearch(double wanted, double first, std::optional<double> coarsest, bool holds)
-      : wanted_(wanted), coarsest_(coarsest), holds_(holds), scale_(limited(first)) {}
+  // `coarsest`: the largest scale, with the fewest nodes; nothing: unknown. `preserves_layers`: layers are preserved,
+  // so the nodes depend on the edge in another way.
+  ScaleSearch(double wanted, double first, std::optional<double> coarsest, bool preserves_layers)
+      : wanted_(wanted), coarsest_(coarsest), preserves_layers_(preserves_layers), scale_(limited(first)) {}
 
   double scale() const { return scale_; }
   bool is_coarsest() const { return coarsest_ && scale_ >= *coarsest_; }
-  // The present scale gave so many nodes.
+  // Records the number of nodes at the present scale.
   void missed(double nodes) {
-    if (holds_ && before_.nodes > 0.0) power_ = power_between(before_, {scale_, nodes}, power_);
+    if (preserves_layers_ && before_.nodes > 0.0) power_ = power_between(before_, {scale_, nodes}, power_);
     before_ = {scale_, nodes};
     (nodes > wanted_ ? too_fine_ : too_coarse_) = scale_;
     scale_ = limited(scale_ * std::pow(nodes / wanted_, 1.0 / power_));
     const bool between = too_fine_ < scale_ && scale_ < too_coarse_;
     if (!between && too_fine_ > 0.0 && std::isfinite(too_coarse_)) scale_ = std::sqrt(too_fine_ * too_coarse_);
   }
-  // A scale that gives no more nodes than are wanted, if any does.
-  void take_coarse() { scale_ = std::isfinite(too_coarse_) ? too_coarse_ : coarsest_.value_or(scale_); }
+  // A scale that gives at most the wanted nodes, if any does.
+  void use_coarse_scale() { scale_ = std::isfinite(too_coarse_) ? too_coarse_ : coarsest_.value_or(scale_); }
 
  private:
   double limited(double scale) const { return coarsest_ ? std::min(scale, *coarsest_) : scale; }
 
   double wanted_;
   std::optional<double> coarsest_;
-  bool holds_;
+  bool preserves_layers_;
   double scale_, power_ = nodes_power;
   ScaledNodes before_;
   double too_fine_ = 0.0, too_coarse_ = std::numeric_limits<double>::infinity();  // the newest of each
@@ -197,28 +197,48 @@ class ScaleSearch {
                   settings.nodes, named(thin, library), rounded_nodes(least), rounded_nodes(least)));
 }
 
-// The largest scale with which the layers of the planned path are held; nothing: none are to be. Refuses a path with
-// layers that no scale holds.
-std::optional<double> coarsest_that_holds(const MeshPlan& plan, const MeshSettings& settings,
-                                          const anatomy::TissueLibrary& library) {
-  if (!settings.hold_layers || plan.held_edges.empty()) return {};
-  const auto lost_with = [&](double scale) { return lost_layers(plan, meshable_tissues(plan, scale)); };
-  if (lost_with(coarsest_when_held).empty()) return coarsest_when_held;
-  double holds = finest_when_held, loses = coarsest_when_held;
-  if (const std::vector<PathLayer> lost = lost_with(holds); !lost.empty()) {
+std::vector<PathLayer> lost_with(const MeshPlan& plan, double scale) {
+  return lost_layers(plan, meshable_tissues(plan, scale));
+}
+
+// The largest scale that preserves the plan's layers, if one does.
+std::optional<double> find_coarsest(const MeshPlan& plan) {
+  if (lost_with(plan, coarsest_preserving).empty()) return coarsest_preserving;
+  if (!lost_with(plan, finest_preserving).empty()) return {};
+  double preserves = finest_preserving, loses = coarsest_preserving;
+  for (int halving = 0; halving < halvings_of_coarsest; ++halving) {
+    const double middle = std::sqrt(preserves * loses);
+    (lost_with(plan, middle).empty() ? preserves : loses) = middle;
+  }
+  return preserves;
+}
+
+// A scale, and the tissues that can be meshed with it.
+struct ScaledTissues {
+  double scale = 0.0;
+  MeshableTissues tissues;
+};
+
+// The largest scale that preserves the layers of the planned path; nothing: none are requested. Refuses a path with
+// layers that no scale preserves. Looks in the surroundings of the layers first, a small part of the whole.
+std::optional<ScaledTissues> coarsest_meshable(const MeshPlan& plan, const MeshSettings& settings,
+                                               const anatomy::TissueLibrary& library) {
+  if (!settings.preserve_layers || plan.preserving_edges.empty()) return {};
+  if (const std::optional<double> scale = find_coarsest(around_layers(plan))) {
+    ScaledTissues found{*scale, meshable_tissues(plan, *scale)};
+    if (lost_layers(plan, found.tissues).empty()) return found;
+  }
+  const std::optional<double> scale = find_coarsest(plan);
+  if (!scale) {
     throw InputError(
         fmt::format("no mesh holds {} on the planned path; expected a path that crosses these layers less obliquely, "
                     "or --merge-layers for a mesh without them",
-                    named(lost, library)));
+                    named(lost_with(plan, finest_preserving), library)));
   }
-  for (int halving = 0; halving < halvings_of_coarsest; ++halving) {
-    const double middle = std::sqrt(holds * loses);
-    (lost_with(middle).empty() ? holds : loses) = middle;
-  }
-  return holds;
+  return ScaledTissues{*scale, meshable_tissues(plan, *scale)};
 }
 
-// What is to be said of layers that the mesh does not hold.
+// The notes about layers that are missing in the mesh.
 std::vector<std::string> layer_notes(const MeshPlan& plan, const MeshableTissues& meshable,
                                      const anatomy::TissueLibrary& library) {
   const std::vector<PathLayer> lost = lost_layers(plan, meshable);
@@ -249,13 +269,14 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
   };
   report("planning the mesh", 0.0);
   const MeshPlan plan = plan_mesh(tissues, path, settings);
-  const std::optional<double> coarsest = coarsest_that_holds(plan, settings, library);
+  const std::optional<ScaledTissues> coarsest = coarsest_meshable(plan, settings, library);
   const double wanted = static_cast<double>(settings.nodes);
   const auto nonsense = [](double scale) { return !(scale < widest_scale && scale > 1.0 / widest_scale); };
   double first = 1.0;
   for (int guess = 0; guess < guesses && !nonsense(first); ++guess)
     first *= std::cbrt(expected_nodes(meshable_tissues(plan, first)) / wanted);
-  ScaleSearch search(wanted, first, coarsest, settings.hold_layers);
+  ScaleSearch search(wanted, first, coarsest ? std::optional(coarsest->scale) : std::nullopt,
+                     settings.preserve_layers);
   for (int round = 1;; ++round) {
     const double scale = search.scale();
     if (nonsense(scale)) {
@@ -264,12 +285,14 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
                       "ask for another number of nodes, or other --fine and --coarse",
                       settings.nodes, scale * settings.fine));
     }
-    const MeshableTissues meshable = meshable_tissues(plan, scale);
+    std::optional<MeshableTissues> computed;
+    if (!search.is_coarsest()) computed = meshable_tissues(plan, scale);
+    const MeshableTissues& meshable = computed ? *computed : coarsest->tissues;
     const double most = std::ceil((1.0 + close_enough) * wanted);
-    const json wish = {{"fewest", round >= most_rounds ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
-                       {"most", round >= most_rounds && !coarsest ? 1e12 : most},
-                       {"expected", wanted}};
-    Attempt made = run_mesher(meshable, wish, [&](std::string_view stage, double fraction) {
+    const json options = {{"fewest", round >= most_rounds ? 0.0 : std::floor((1.0 - close_enough) * wanted)},
+                          {"most", round >= most_rounds && !coarsest ? 1e12 : most},
+                          {"expected", wanted}};
+    Attempt made = run_mesher(meshable, options, [&](std::string_view stage, double fraction) {
       report(fmt::format("{}, round {}", stage, round), fraction);
     });
     if (made.refined_nodes == 0) {
@@ -279,14 +302,14 @@ MeshedBody mesh_tissues(const anatomy::TissueVolume& tissues, const std::optiona
       const auto nodes = static_cast<double>(made.refined_nodes);
       if (search.is_coarsest() && nodes > wanted) refuse_nodes(nodes, plan, settings, library);
       search.missed(nodes);
-      if (round + 1 > most_rounds) search.take_coarse();
+      if (round + 1 > most_rounds) search.use_coarse_scale();
       continue;
     }
     MeshedBody body{std::move(made.mesh), scale, merge_notes(plan, meshable, library)};
     for (std::string& note : layer_notes(plan, meshable, library)) body.notes.push_back(std::move(note));
     anatomy::orient_elements(body.mesh);
     if (const std::size_t removed = anatomy::keep_largest_part(body.mesh); removed > 0) {
-      body.notes.push_back(fmt::format("{} elements that hung on nothing by a face were left out.", removed));
+      body.notes.push_back(fmt::format("{} elements that share no face with the rest were left out.", removed));
     }
     return body;
   }

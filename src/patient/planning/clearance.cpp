@@ -10,7 +10,7 @@ namespace bodkin::patient {
 namespace {
 
 constexpr double look = 0.25;          // mm between looks along a path
-constexpr double thin = 0.3;           // mm of a tissue that is not told
+constexpr double thin = 0.3;           // mm of a tissue that are not reported
 constexpr double report_reach = 30.0;  // mm
 
 // Calls `visit(kind, square, i, j, k)` for every marked voxel whose centre may lie within `reach` of the path.
@@ -59,7 +59,7 @@ void visit_near(const Obstacles& obstacles, const anatomy::NeedlePath& path, dou
   }
 }
 
-// Calls `visit(kind, depth)` for each look along the path that lies in an obstacle.
+// Calls `visit(kind, depth)` for each sample of the path in an obstacle.
 template <typename Visit>
 void visit_inside(const Obstacles& obstacles, const anatomy::NeedlePath& path, const Visit& visit) {
   const double length = path.length();
@@ -75,7 +75,7 @@ double half_voxel(const Obstacles& obstacles) {
   return 0.5 * obstacles.at.grid.spacing.minCoeff();
 }
 
-// Appends to the last stretch or begins another.
+// Extends the last stretch or begins another.
 void extend(std::vector<Crossed>& stretches, anatomy::TissueId tissue, double from, double to) {
   if (!stretches.empty() && stretches.back().tissue == tissue && from - stretches.back().to < 1e-6) {
     stretches.back().to = to;
@@ -108,7 +108,7 @@ std::vector<Clearance> clearances(const Obstacles& obstacles, const anatomy::Nee
   return found;
 }
 
-Room room_along(const Obstacles& obstacles, const anatomy::NeedlePath& path, double most) {
+Room clearance_along(const Obstacles& obstacles, const anatomy::NeedlePath& path, double most) {
   Room room{false, most, most, 0};
   visit_inside(obstacles, path, [&](std::size_t kind, double) {
     room = {true, 0.0, -obstacles.kinds[kind].margin, kind};

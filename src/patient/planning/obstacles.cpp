@@ -14,13 +14,13 @@
 namespace bodkin::patient {
 namespace {
 
-constexpr double wall = 10.0;            // mm about a lesion in which the organ that holds it is looked for
+constexpr double wall = 10.0;            // mm about a lesion, searched for the organ around it
 constexpr double level_reach = 25.0;     // mm along the spine from the middle of an interspace
-constexpr double usual_vertebra = 34.0;  // mm with its disc, where one interspace alone is known
+constexpr double usual_vertebra = 34.0;  // mm with its disc, if only one interspace is known
 constexpr std::array<const char*, 4> safe_levels = {"L2_L3", "L3_L4", "L4_L5", "L5_S1"};
 
-// What surrounds a point: 26 ways out of it, each until something of `guarded` is met. The majority of what was met,
-// if it holds at least half of the ways.
+// The structure around a point, from 26 rays, each ending at the first structure of `guarded`: the most frequent one,
+// if met by at least half of the rays.
 template <typename Voxel>
 std::optional<Voxel> holder(const anatomy::Volume<Voxel>& volume, const Vec3& point, const std::set<Voxel>& guarded) {
   std::map<Voxel, int> met;
@@ -72,7 +72,7 @@ double vertebra_of(const PatientView& patient) {
   return least;
 }
 
-// Marks the voxels: which kind (1 + position, 0 none) each tissue and each label means.
+// Marks the voxels: the kind (1 + position, 0 none) of each tissue and each label.
 struct Marking {
   std::array<std::uint8_t, 256> of_tissue{};
   std::vector<std::uint8_t> of_label = std::vector<std::uint8_t>(65536, 0);
@@ -187,7 +187,7 @@ Obstacles find_obstacles(const PatientView& patient, const PlanningRules& rules,
 
   found.at = anatomy::Volume<std::uint8_t>(patient.tissues.grid);
   mark(patient, marking, found.at);
-  // What the target itself is closer to than the margin can be kept no further away; of the cord nothing is given up.
+  // A margin is limited to the target's own distance from the obstacle, except the cord's.
   double widest = 0.0;
   for (const Obstacle& kind : found.kinds) widest = std::max(widest, kind.margin);
   for (const Clearance& each : clearances(found, {target, target}, widest)) {
@@ -207,19 +207,19 @@ std::optional<std::string> level_problem(const PatientView& patient, const Plann
   if (rules.levels.empty()) return std::nullopt;
   const std::string level = level_at(patient, target);
   if (level.empty()) return "the interspace there has no known name";
-  std::string said = level;
-  std::replace(said.begin(), said.end(), '_', '/');
+  std::string level_name = level;
+  std::replace(level_name.begin(), level_name.end(), '_', '/');
   const auto is = [&level](const std::string& name) { return name == level; };
   if (std::none_of(rules.levels.begin(), rules.levels.end(), is))
-    return fmt::format("{} is not a level of this procedure", said);
+    return fmt::format("{} is not a level of this procedure", level_name);
   if (std::none_of(safe_levels.begin(), safe_levels.end(), is))
-    return fmt::format("{} lies above L2/L3, where the cord may be met", said);
+    return fmt::format("{} lies above L2/L3, where the cord may be met", level_name);
   const double vertebra = vertebra_of(patient);
   for (const anatomy::Landmark& each : patient.landmarks) {
     if (each.name != "conus") continue;
     const double below = each.position.z() - nearest_level(patient, target)->position.z();
     if (below < vertebra - 1.0)
-      return fmt::format("the cord ends {:.0f} mm above {}, which is less than a vertebra", below, said);
+      return fmt::format("the cord ends {:.0f} mm above {}, which is less than a vertebra", below, level_name);
   }
   return std::nullopt;
 }

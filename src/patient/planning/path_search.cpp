@@ -17,10 +17,10 @@ namespace {
 
 constexpr double hub_room = 5.0;     // mm of the needle that stay outside
 constexpr double enough_room = 8.0;  // mm beyond the margins; more is not better
-constexpr double cost_of_length = 0.05, cost_of_oblique = 0.02, cost_of_lateral = 0.03;  // mm of room a mm, a degree
+constexpr double cost_of_length = 0.05, cost_of_oblique = 0.02, cost_of_lateral = 0.03;  // mm of room per mm, degree
 constexpr std::size_t coarse = 1500, fine = 6000;  // directions over the whole sphere, 5 and 2.5 degrees apart
-constexpr std::size_t refined = 12;                // good directions about which it is looked more closely
-constexpr std::size_t most_why = 3;                // reasons that are told
+constexpr std::size_t refined = 12;                // good directions around which the search is refined
+constexpr std::size_t most_why = 3;                // reasons that are reported
 
 struct Candidate {
   anatomy::NeedlePath path;
@@ -35,21 +35,21 @@ struct Look {
   Refusal refusal = Refusal::none;
 };
 
-// Directions evenly over the sphere, those of the cone.
-std::vector<Vec3> directions(std::size_t count, const PathWishes& wishes) {
+// Directions spread evenly over the sphere, those in the cone.
+std::vector<Vec3> directions(std::size_t count, const PathCriteria& criteria) {
   std::vector<Vec3> found;
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  const double least = wishes.outwards.isZero() ? -2.0 : std::cos(wishes.cone * degree);
+  const double least = criteria.outwards.isZero() ? -2.0 : std::cos(criteria.cone * degree);
   for (std::size_t i = 0; i < count; ++i) {
     const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
     const double radius = std::sqrt(1.0 - z * z), turn = golden * static_cast<double>(i);
     const Vec3 direction(radius * std::cos(turn), radius * std::sin(turn), z);
-    if (wishes.outwards.isZero() || direction.dot(wishes.outwards) >= least) found.push_back(direction);
+    if (criteria.outwards.isZero() || direction.dot(criteria.outwards) >= least) found.push_back(direction);
   }
   return found;
 }
 
-// About one direction, 1 degree apart, 3 degrees to each side.
+// Around one direction, 1 degree apart, 3 degrees to each side.
 void add_about(const Vec3& direction, std::vector<Vec3>& found) {
   const Vec3 u = direction.unitOrthogonal(), v = direction.cross(u);
   for (int a = -3; a <= 3; ++a) {
@@ -62,9 +62,9 @@ void add_about(const Vec3& direction, std::vector<Vec3>& found) {
 
 class Searcher {
  public:
-  Searcher(const PatientView& patient, const Obstacles& obstacles, const Vec3& target, const PathWishes& wishes,
+  Searcher(const PatientView& patient, const Obstacles& obstacles, const Vec3& target, const PathCriteria& criteria,
            std::stop_token stop)
-      : patient_(patient), obstacles_(obstacles), target_(target), wishes_(wishes), stop_(std::move(stop)) {}
+      : patient_(patient), obstacles_(obstacles), target_(target), criteria_(criteria), stop_(std::move(stop)) {}
 
   std::vector<Look> look_along(const std::vector<Vec3>& ways) const {
     std::vector<Look> looks(ways.size());
@@ -78,10 +78,10 @@ class Searcher {
  private:
   Look look(const Vec3& outwards) const {
     Look found;
-    const std::optional<Vec3> skin = way_out(patient_.tissues, target_, outwards, wishes_.longest + 0.5);
+    const std::optional<Vec3> skin = find_skin_exit(patient_.tissues, target_, outwards, criteria_.longest + 0.5);
     found.candidate.path = {skin.value_or(target_), target_};
     if (!skin) {
-      const Vec3 end = target_ + (wishes_.longest + 0.5) * outwards;
+      const Vec3 end = target_ + (criteria_.longest + 0.5) * outwards;
       constexpr anatomy::TissueId outside = 255;
       found.refusal =
           anatomy::nearest(patient_.tissues, end, outside) == outside ? Refusal::no_skin : Refusal::too_long;
@@ -89,13 +89,13 @@ class Searcher {
     }
     const std::optional<Vec3> normal = skin_normal(patient_.tissues, *skin);
     const double oblique =
-        normal ? std::acos(std::clamp(normal->dot(outwards), -1.0, 1.0)) / degree : wishes_.flattest + 1.0;
-    if (oblique > wishes_.flattest) {
+        normal ? std::acos(std::clamp(normal->dot(outwards), -1.0, 1.0)) / degree : criteria_.flattest + 1.0;
+    if (oblique > criteria_.flattest) {
       found.refusal = Refusal::flat;
       return found;
     }
     Candidate& candidate = found.candidate;
-    candidate.room = room_along(obstacles_, candidate.path, enough_room);
+    candidate.room = clearance_along(obstacles_, candidate.path, enough_room);
     if (candidate.room.blocked || candidate.room.spare < 0.0) {
       found.refusal = candidate.room.blocked ? Refusal::blocked : Refusal::close;
       return found;
@@ -103,14 +103,14 @@ class Searcher {
     const double lateral = std::asin(std::min(1.0, std::abs(outwards.x()))) / degree;
     candidate.score = std::min(candidate.room.spare, enough_room) - cost_of_length * candidate.path.length() -
                       cost_of_oblique * std::max(0.0, oblique - 15.0) -
-                      (wishes_.outwards.isZero() ? 0.0 : cost_of_lateral * lateral);
+                      (criteria_.outwards.isZero() ? 0.0 : cost_of_lateral * lateral);
     return found;
   }
 
   const PatientView& patient_;
   const Obstacles& obstacles_;
   const Vec3& target_;
-  const PathWishes& wishes_;
+  const PathCriteria& criteria_;
   std::stop_token stop_;
 };
 
@@ -123,7 +123,7 @@ std::vector<Candidate> open_ones(const std::vector<Look>& looks) {
   return open;
 }
 
-// The best ones that are so many degrees apart.
+// The best ones at least so many degrees apart.
 std::vector<Candidate> thinned(const std::vector<Candidate>& ranked, double apart, std::size_t count) {
   std::vector<Candidate> kept;
   const double most = std::cos(apart * degree);
@@ -137,7 +137,7 @@ std::vector<Candidate> thinned(const std::vector<Candidate>& ranked, double apar
   return kept;
 }
 
-std::string reasons(const std::vector<Look>& looks, const Obstacles& obstacles, const PathWishes& wishes) {
+std::string reasons(const std::vector<Look>& looks, const Obstacles& obstacles, const PathCriteria& criteria) {
   std::vector<std::size_t> into(obstacles.kinds.size(), 0), close(obstacles.kinds.size(), 0);
   std::size_t cut = 0, far = 0, flat = 0;
   for (const Look& one : looks) {
@@ -148,36 +148,37 @@ std::string reasons(const std::vector<Look>& looks, const Obstacles& obstacles, 
     into[kind] += one.refusal == Refusal::blocked ? 1U : 0U;
     close[kind] += one.refusal == Refusal::close ? 1U : 0U;
   }
-  std::vector<std::pair<std::size_t, std::string>> said;
-  said.emplace_back(cut, "leave the image before the skin");
-  said.emplace_back(far, fmt::format("are longer than the {:.0f} mm that the needle reaches", wishes.longest));
-  said.emplace_back(flat, fmt::format("are flatter than {:.0f} degrees to the skin", 90.0 - wishes.flattest));
+  std::vector<std::pair<std::size_t, std::string>> counted;
+  counted.emplace_back(cut, "leave the image before the skin");
+  counted.emplace_back(far, fmt::format("are longer than the {:.0f} mm that the needle reaches", criteria.longest));
+  counted.emplace_back(flat, fmt::format("are flatter than {:.0f} degrees to the skin", 90.0 - criteria.flattest));
   for (std::size_t kind = 0; kind < obstacles.kinds.size(); ++kind) {
     const Obstacle& obstacle = obstacles.kinds[kind];
-    said.emplace_back(into[kind], fmt::format("go into {}", obstacle.title));
-    said.emplace_back(close[kind], fmt::format("come closer than {:.1f} mm to {}", obstacle.margin, obstacle.title));
+    counted.emplace_back(into[kind], fmt::format("go into {}", obstacle.title));
+    counted.emplace_back(close[kind],
+                         fmt::format("come closer than {:.1f} mm to {}", obstacle.margin, obstacle.title));
   }
-  std::stable_sort(said.begin(), said.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string text;
-  for (std::size_t i = 0; i < most_why && said[i].first > 0; ++i)
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", said[i].first, said[i].second);
+  for (std::size_t i = 0; i < most_why && counted[i].first > 0; ++i)
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", counted[i].first, counted[i].second);
   return text;
 }
 
 }  // namespace
 
-PathWishes wishes_for(const anatomy::Needle& needle, const PlanningRules& rules) {
-  PathWishes wishes;
-  wishes.longest = std::max(1.0, needle.length - hub_room);
+PathCriteria criteria_for(const anatomy::Needle& needle, const PlanningRules& rules) {
+  PathCriteria criteria;
+  criteria.longest = std::max(1.0, needle.length - hub_room);
   if (!rules.levels.empty()) {
-    wishes.outwards = Vec3::UnitY();
-    wishes.cone = 40.0;
+    criteria.outwards = Vec3::UnitY();
+    criteria.cone = 40.0;
   }
-  return wishes;
+  return criteria;
 }
 
-std::optional<Vec3> way_out(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction,
-                            double reach) {
+std::optional<Vec3> find_skin_exit(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction,
+                                   double reach) {
   constexpr double step = 0.5, small = 0.1;  // mm
   constexpr anatomy::TissueId outside = 255;
   for (double far = 0.0; far <= reach; far += step) {
@@ -205,7 +206,7 @@ std::optional<Vec3> skin_normal(const anatomy::TissueVolume& tissues, const Vec3
 }
 
 PathSearch search_paths(const PatientView& patient, const Obstacles& obstacles, const Vec3& target,
-                        const PathWishes& wishes, const std::stop_token& stop) {
+                        const PathCriteria& criteria, const std::stop_token& stop) {
   PathSearch search;
   const anatomy::TissueId at_target = anatomy::nearest(patient.tissues, target, anatomy::tissue::air);
   if (at_target == anatomy::tissue::air) {
@@ -217,30 +218,30 @@ PathSearch search_paths(const PatientView& patient, const Obstacles& obstacles, 
                                  obstacles.kinds[static_cast<std::size_t>(mark - 1)].title);
     return search;
   }
-  const Searcher searcher(patient, obstacles, target, wishes, stop);
-  std::vector<Look> looks = searcher.look_along(directions(coarse, wishes));
+  const Searcher searcher(patient, obstacles, target, criteria, stop);
+  std::vector<Look> looks = searcher.look_along(directions(coarse, criteria));
   std::vector<Candidate> open = open_ones(looks);
   if (open.empty() && !stop.stop_requested()) {
-    looks = searcher.look_along(directions(fine, wishes));
+    looks = searcher.look_along(directions(fine, criteria));
     open = open_ones(looks);
   }
   search.looked_at = looks.size();
   if (open.empty()) {
     search.why_not = fmt::format("No straight path leads there: of {} directions tried, {}.", looks.size(),
-                                 reasons(looks, obstacles, wishes));
+                                 reasons(looks, obstacles, criteria));
     return search;
   }
   std::vector<Vec3> closer;
-  for (const Candidate& one : thinned(open, 0.5 * wishes.apart, refined)) add_about(-one.path.direction(), closer);
-  const double least = wishes.outwards.isZero() ? -2.0 : std::cos(wishes.cone * degree);
+  for (const Candidate& one : thinned(open, 0.5 * criteria.apart, refined)) add_about(-one.path.direction(), closer);
+  const double least = criteria.outwards.isZero() ? -2.0 : std::cos(criteria.cone * degree);
   std::erase_if(closer,
-                [&](const Vec3& way) { return !wishes.outwards.isZero() && way.dot(wishes.outwards) < least; });
+                [&](const Vec3& way) { return !criteria.outwards.isZero() && way.dot(criteria.outwards) < least; });
   std::vector<Look> more = searcher.look_along(closer);
   search.looked_at += more.size();
   for (Candidate& one : open_ones(more)) open.push_back(one);
   std::stable_sort(open.begin(), open.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  for (const Candidate& one : thinned(open, wishes.apart, wishes.count))
+  for (const Candidate& one : thinned(open, criteria.apart, criteria.count))
     search.proposals.push_back(report_on(patient, obstacles, one.path));
   return search;
 }
@@ -279,7 +280,7 @@ Vec3 target_in_structure(const PatientView& patient, const std::string& name) {
   }
   Vec3 centre = grid.to_patient(sum / count);
   if (anatomy::nearest(labels, centre, std::uint16_t{0}) == *label) return centre;
-  // The deepest voxel; one voxel around the box belongs to something else.
+  // The deepest voxel; the box has a border of one foreign voxel.
   anatomy::Grid box = grid;
   for (std::size_t axis = 0; axis < 3; ++axis) box.size[axis] = high[axis] - low[axis] + 3;
   anatomy::Volume<std::uint8_t> inside(box, 0);

@@ -8,10 +8,10 @@
 
 namespace bodkin::patient {
 
-// Which paths are worth proposing.
-struct PathWishes {
-  double longest = 85.0;         // mm from skin to target: what the needle reaches
-  Vec3 outwards = Vec3::Zero();  // unit, the middle of the cone in which ways out are looked for; zero: all around
+// Criteria for proposed paths.
+struct PathCriteria {
+  double longest = 85.0;         // mm from skin to target: the reach of the needle
+  Vec3 outwards = Vec3::Zero();  // unit, axis of the cone of directions searched; zero: all directions
   double cone = 180.0;           // degrees from it
   double flattest = 60.0;        // degrees between the path and the skin's normal
   double apart = 8.0;            // degrees between two proposals
@@ -19,32 +19,32 @@ struct PathWishes {
 };
 
 // For the needle and the rules of a procedure: a spine is entered from behind, within 40 degrees.
-PathWishes wishes_for(const anatomy::Needle& needle, const PlanningRules& rules);
+PathCriteria criteria_for(const anatomy::Needle& needle, const PlanningRules& rules);
 
 struct PathSearch {
   std::vector<PathReport> proposals;  // the best first; all of them leave every margin
-  std::string why_not;                // a sentence; empty with proposals
-  std::size_t looked_at = 0;          // directions
+  std::string why_not;                // a sentence; empty if there are proposals
+  std::size_t looked_at = 0;          // directions examined
 };
 
-// Straight paths from the skin to `target` that keep every margin of `obstacles`, best first. Ways out are tried 5
-// degrees apart, then 1 degree apart about the good ones; without any, 2.5 degrees apart all over before it is said
-// that there is none. Better is: more room, up to 8 mm more than the margins ask for; shorter (0.05 mm of room a mm);
-// less oblique to the skin and to the sagittal plane. Runs on all processors; a stop gives what was found so far.
+// Straight paths from the skin to `target` that keep every margin of `obstacles`, best first. Directions are tried 5
+// degrees apart, then 1 degree apart about the good ones; if there are none, 2.5 degrees apart everywhere before
+// failure is reported. Better means: more room, up to 8 mm above the margins; shorter (0.05 mm of room per mm); less
+// oblique to the skin and to the sagittal plane. Runs on all processors; a stop returns the paths found so far.
 PathSearch search_paths(const PatientView& patient, const Obstacles& obstacles, const Vec3& target,
-                        const PathWishes& wishes, const std::stop_token& stop = {});
+                        const PathCriteria& criteria, const std::stop_token& stop = {});
 
-// Where the ray from `inside` along `direction` (unit) leaves the body, 0.1 mm before the air; nothing where the
-// image ends first or within `reach` mm no air is met.
-std::optional<Vec3> way_out(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction,
-                            double reach);
+// The point where the ray from `inside` along `direction` (unit) leaves the body, 0.1 mm before the air; empty if the
+// image ends first or there is no air within `reach` mm.
+std::optional<Vec3> find_skin_exit(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction,
+                                   double reach);
 
-// The direction out of the body at a point on its skin, averaged over 4 mm; nothing where no air is near.
+// The direction out of the body at a point on its skin, averaged over 4 mm; empty if no air is near.
 std::optional<Vec3> skin_normal(const anatomy::TissueVolume& tissues, const Vec3& point);
 
-// The target that a structure of the segmentation means: its centre of mass, or where that lies outside of it (a
-// crescent), the point deepest inside. Throws InputError when there is no such structure, with the names that there
-// are, or when it has no voxel.
+// The target of a structure of the segmentation: its centre of mass or, if that lies outside it (a crescent), its
+// deepest point. Throws InputError when there is no such structure, listing the names that exist, or when it has no
+// voxel.
 Vec3 target_in_structure(const PatientView& patient, const std::string& name);
 
 }  // namespace bodkin::patient

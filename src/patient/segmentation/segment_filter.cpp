@@ -51,19 +51,19 @@ json rules_json(const PlanningRules& rules) {
           {"cord_margin_mm", rules.cord_margin}};
 }
 
-// Labels on their way to the worker, gone when they have been read.
-class LabelsOnTheWay {
+// Labels on their way to the worker, removed when read.
+class TemporaryLabelFile {
  public:
-  LabelsOnTheWay(const anatomy::LabelVolume& labels, const std::filesystem::path& folder)
+  TemporaryLabelFile(const anatomy::LabelVolume& labels, const std::filesystem::path& folder)
       : file_(folder.parent_path() / fmt::format(".{}-labels-{}.nrrd", folder.filename().string(), getpid())) {
     io::write_nrrd(labels, file_);
   }
-  ~LabelsOnTheWay() {
+  ~TemporaryLabelFile() {
     std::error_code ignored;
     std::filesystem::remove(file_, ignored);
   }
-  LabelsOnTheWay(const LabelsOnTheWay&) = delete;
-  LabelsOnTheWay& operator=(const LabelsOnTheWay&) = delete;
+  TemporaryLabelFile(const TemporaryLabelFile&) = delete;
+  TemporaryLabelFile& operator=(const TemporaryLabelFile&) = delete;
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -99,7 +99,7 @@ CorrectedCase save_corrected_labels(const std::filesystem::path& folder, const a
                                     const Progress& progress) {
   const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
   const std::filesystem::path place = whole.has_filename() ? whole : whole.parent_path();
-  const LabelsOnTheWay written(labels, place);
+  const TemporaryLabelFile written(labels, place);
   json structures = json::array();
   for (const anatomy::Structure& each : table) {
     structures.push_back(

@@ -18,7 +18,7 @@
 namespace bodkin::patient {
 namespace {
 
-// From the left shoulder, as the model has it, to the patient's.
+// From the model's left shoulder to the patient's.
 Vec3 placed(Vec3 point, BodySide side) {
   if (side == BodySide::right) point.x() = -point.x();
   return point;
@@ -55,7 +55,7 @@ std::uint16_t label_on(std::uint16_t label, BodySide side) {
   return label == humerus || label == scapula || label == clavicle ? static_cast<std::uint16_t>(label + 1) : label;
 }
 
-// The path's target in the middle of the fluid that its line crosses first, as the voxels have it.
+// The path with its target in the middle of the first fluid on its line, by the voxels.
 anatomy::NeedlePath aimed_at_fluid(const Vec3& entry, const Vec3& direction, const anatomy::TissueVolume& tissues) {
   double begin = -1.0, end = -1.0;
   for (double depth = 0.0; depth < 160.0; depth += 0.2) {
@@ -190,7 +190,7 @@ SyntheticShoulder synthesize_shoulder(const ShoulderParameters& parameters, cons
                     {"glenoid", placed(model.glenoid(), side)},
                     {"suprascapular_nerve", placed(model.blocked_nerve(), side)}};
   made.structure_table = shoulder_structures(made.structures, side);
-  LumbarSizes adult{};  // for what age does to bone and muscle, as in the lumbar torso
+  LumbarSizes adult{};  // for the effect of age on bone and muscle, as in the lumbar torso
   adult.cancellous_factor = std::clamp(1.0 - 0.0125 * (parameters.age - 45.0), 0.4, 1.3);
   adult.cortical_factor = std::clamp(1.0 - 0.003 * (parameters.age - 45.0), 0.8, 1.05);
   adult.torso.muscle_fat = std::clamp((parameters.age - 35.0) / 60.0, 0.0, 1.0);

@@ -10,10 +10,10 @@ namespace bodkin::patient {
 
 enum class BodySide : std::uint8_t { left, right };
 
-// Where the planned needle goes.
+// The target of the planned needle.
 enum class ShoulderTarget : std::uint8_t { joint, suprascapular_nerve };
 
-// What a synthetic shoulder is made from.
+// Parameters of a synthetic shoulder.
 struct ShoulderParameters {
   std::uint64_t seed = 1;  // small variations of sizes, and the noise of the HU
   double age = 55.0;       // years, 18 to 95: bone density, fat in the muscles
@@ -24,24 +24,25 @@ struct ShoulderParameters {
   double spacing = 1.0;  // mm, isotropic voxels, 0.6 to 2
 };
 
-// Tissues that a shoulder has besides Bodkin's own, by id and name; its case holds a library with them.
+// Tissues that a shoulder has in addition to Bodkin's own, by id and name; its case contains a library with them.
 inline constexpr anatomy::TissueId joint_capsule = 33, tendon = 34, joint_space = 35;
 inline constexpr const char *joint_capsule_name = "joint_capsule", *tendon_name = "tendon",
                             *joint_space_name = "joint_space";
 
-// `library` with the three. Their numbers are our choice: nobody has measured a needle in them. Throws InputError
-// where the library uses an id or a name for something else, or lacks what they are derived from.
+// `library` with the three. Their numbers are our choice: needle forces in them have never been measured. Throws
+// InputError if the library uses an id or a name for something else, or lacks the tissues from which they are
+// derived.
 anatomy::TissueLibrary with_joint_tissues(const anatomy::TissueLibrary& library);
 
 struct SyntheticShoulder {
   anatomy::CtVolume ct;
-  anatomy::LabelVolume structures;  // TotalSegmentator ids where it has one
+  anatomy::LabelVolume structures;  // TotalSegmentator ids if it has one
   std::vector<anatomy::Structure> structure_table;
   anatomy::TissueVolume tissues;
   std::vector<anatomy::Landmark> landmarks;  // acromion_corner, coracoid_tip, humeral_head, glenoid
   // Joint: from behind, 20 mm below and 10 mm medial of the posterolateral corner of the acromion, towards the
   // coracoid, to the middle of the fluid. Suprascapular nerve: from behind and above, above the spine of the scapula,
-  // to a place in the supraspinous fossa beside the nerve, 5 mm from its axis.
+  // to a point in the supraspinous fossa next to the nerve, 5 mm from its axis.
   anatomy::NeedlePath path;
 };
 

@@ -19,8 +19,8 @@ constexpr double stays_outside = 5.0;                      // mm of the needle
 }  // namespace
 
 anatomy::CaseDescription write_shoulder_case(const ShoulderCase& wanted, const Progress& teller) {
-  const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
-  const Progress progress = io::until_told_to_end(teller);
+  const io::DeferredTermination deferred;  // ends this process, if a signal asked for it, once the folder is removed
+  const Progress progress = io::until_interrupted(teller);
   check_shoulder(wanted.shoulder);
   const anatomy::TissueLibrary library = with_joint_tissues(io::default_tissue_library());
   io::PartialFolder folder(wanted.folder, wanted.overwrite);

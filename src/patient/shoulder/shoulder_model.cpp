@@ -9,7 +9,7 @@ namespace {
 namespace tissue = anatomy::tissue;
 using shapes::degrees;
 
-// Where the glenoid faces, forwards of straight to the side: the scapula lies 30 degrees in front of the coronal
+// Direction of the glenoid, forwards of straight to the side: the scapula lies 30 degrees in front of the coronal
 // plane, the glenoid is turned back by 3 (means near 0 to 2, -10 to 10 seen: Friedman et al. 1992; Churchill et al.
 // 2001).
 constexpr double blade_angle = 30.0 * degrees, glenoid_angle = 27.0 * degrees;
@@ -18,7 +18,7 @@ constexpr double glenoid_half_height = 19.5, glenoid_half_width = 14.5, glenoid_
 constexpr double glenoid_cartilage = 2.2, head_cartilage = 1.5;  // mm: 2.16 and 1.44 (Soslowsky et al. 1992)
 constexpr double capsule_thickness = 2.0;                        // mm: our choice
 constexpr double bone_shell = 1.6, shaft_shell = 3.5;            // mm: our choice
-// Where the joint is entered: 38 degrees around the head from the middle of the glenoid backwards, 7 mm above it.
+// Entry of the joint: 38 degrees around the head from the middle of the glenoid backwards, 7 mm above it.
 constexpr double recess_angle = 38.0 * degrees, recess_height = 7.0;
 constexpr double beside_nerve = 5.0;  // mm, of a block from the axis of the nerve: our choice
 constexpr double below_corner = 20.0, medial_of_corner = 10.0;  // mm, of the entry
@@ -126,8 +126,8 @@ Vec3 ShoulderModel::highest() const {
           72.0 * sizes_.scale + out};
 }
 
-// The outside of the muscles: the ball of the shoulder with its deltoid, the arm, and the trunk with the shoulder's
-// slope. Our choice after atlases and CTs.
+// The outer surface of the muscles: the ball of the shoulder with its deltoid, the arm, and the trunk with the
+// shoulder's slope. Our choice after atlases and CTs.
 double ShoulderModel::fascia(const Vec3& p) const {
   const double s = sizes_.scale, more = sizes_.deltoid - 14.0 * s;
   const double ball =
@@ -230,7 +230,7 @@ Material ShoulderModel::bundle(const Vec3& p) const {
   return {};
 }
 
-// Ribs, what is between them, and the lung.
+// Ribs, the tissue between them, and the lung.
 Material ShoulderModel::chest(const Vec3& p) const {
   const double s = sizes_.scale;
   const double wall = shapes::ellipse(p.x() + 165.0 * s, p.y() + 8.0 * s, 110.0 * s, 64.0 * s);

@@ -8,7 +8,7 @@
 
 namespace bodkin::patient {
 
-// Ids of the segmentation: TotalSegmentator's of the left side, where it has one; the right one's is one more.
+// Ids of the segmentation: TotalSegmentator's of the left side, if it has one; that of the right side is one more.
 namespace shoulder_label {
 inline constexpr std::uint16_t humerus = 69, scapula = 71, clavicle = 73, joint = 201, artery = 202, vein = 203,
                                plexus = 204, axillary_nerve = 205, suprascapular_nerve = 206, lung_left = 10,
@@ -27,13 +27,13 @@ struct ShoulderSizes {
 ShoulderSizes shoulder_sizes(const ShoulderParameters& parameters);
 
 // A left shoulder as a function of position: x to the side, y backwards, z upwards, the origin in the centre of the
-// head of the humerus. Constant once made: many threads may ask at once.
+// head of the humerus. Immutable and thread-safe.
 class ShoulderModel {
  public:
   ShoulderModel(const ShoulderSizes& sizes, double spacing);
 
-  // What the voxel at p is made of, with the labels of the left side. Skin, capsule and cartilage are at least one
-  // voxel thick.
+  // The tissue and label of the voxel at p, for the left side. Skin, capsule and cartilage are at least one voxel
+  // thick.
   Material at(const Vec3& p) const;
   // Signed distance to the skin, negative inside; good to a few percent within a centimetre.
   double skin_distance(const Vec3& p) const { return fascia(p) - sizes_.fat - sizes_.skin; }
@@ -44,8 +44,8 @@ class ShoulderModel {
   // Where the posterior approach enters the skin, and its direction (unit).
   const Vec3& entry() const { return entry_; }
   const Vec3& direction() const { return direction_; }
-  // Where the suprascapular nerve is blocked: beside it in the supraspinous fossa; its axis there, and the skin
-  // above.
+  // The point of the suprascapular nerve block, next to the nerve in the supraspinous fossa; its axis there, and the
+  // skin above.
   const Vec3& block() const { return block_; }
   const Vec3& blocked_nerve() const { return blocked_nerve_; }
   const Vec3& block_entry() const { return block_entry_; }
@@ -67,7 +67,7 @@ class ShoulderModel {
 
   ShoulderSizes sizes_;
   double spacing_;
-  Vec3 outwards_, backwards_;            // of the glenoid: where it faces; along its face, backwards
+  Vec3 outwards_, backwards_;            // of the glenoid: its facing direction; along its face, backwards
   Vec3 blade_medial_, blade_backwards_;  // of the blade of the scapula
   Vec3 articular_;                       // axis of the joint surface of the head
   Vec3 glenoid_, coracoid_tip_, entry_, direction_, acromion_corner_;

@@ -3,11 +3,11 @@
 namespace bodkin::patient {
 namespace {
 
-// Steps of the search, and how long a needle's path may be (mm).
+// Steps of the search, and maximum length of a needle's path (mm).
 constexpr double kSample = 1.0;
 constexpr double kLongest = 260.0;
 
-// Distance from `target` against `direction` to the skin, or a negative number when it is not met.
+// Distance from `target` against `direction` to the skin, or a negative number if there is none.
 double distance_to_skin(const LumbarModel& model, const Vec3& target, const Vec3& direction) {
   double inside = 0.0, outside = -1.0;
   for (double t = 10.0; t < kLongest; t += 5.0) {

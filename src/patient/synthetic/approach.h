@@ -11,8 +11,8 @@ struct Approach {
   double angle = 0.0;      // rad that the needle points towards the head
 };
 
-// The path to the middle of the dural sac that keeps furthest from bone, up to 5 mm; among equals the one closest to
-// the usual slight angle towards the head.
+// The path to the middle of the dural sac with the largest clearance to bone, up to 5 mm; among equals the one
+// closest to the usual slight angle towards the head.
 Approach plan_approach(const LumbarModel& model, int upper);
 
 }  // namespace bodkin::patient

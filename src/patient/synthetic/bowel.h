@@ -8,7 +8,7 @@
 
 namespace bodkin::patient {
 
-// Loops of small bowel: ellipsoids of 25 to 35 mm at jittered places of a lattice that grow into one another.
+// Loops of small bowel: ellipsoids of 25 to 35 mm at jittered places of a lattice, merging into one another.
 class Bowel {
  public:
   struct Loop {
@@ -18,10 +18,10 @@ class Bowel {
   };
 
   Bowel() = default;
-  // Fills the box from `low` to `high` (mm); a loop is kept where `allowed` its centre.
+  // Fills the box from `low` to `high` (mm); a loop is kept if `allowed` accepts its centre.
   Bowel(const Vec3& low, const Vec3& high, std::uint64_t seed, const std::function<bool(const Vec3&)>& allowed);
 
-  // The loop that p lies in, or nullptr; `depth` is set to how far inside its wall.
+  // The loop that contains p, or nullptr; `depth` is set to the distance inside its wall.
   const Loop* at(const Vec3& p, double& depth) const;
 
  private:

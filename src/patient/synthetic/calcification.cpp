@@ -20,7 +20,7 @@ anatomy::TissueLibrary with_calcified_ligament(const anatomy::TissueLibrary& lib
   hard.colour = 0xD9C7A3;
   hard.hounsfield = 220.0;
   hard.hounsfield_noise = 45.0;
-  hard.layered.stiffness = 1.7;  // of the ligamentum flavum: as stiff as a device of 1 N/mm renders
+  hard.layered.stiffness = 1.7;  // of the ligamentum flavum: the stiffness that a device of 1 N/mm renders
   hard.layered.element_spacing = 20.0;
   hard.layered.break_force = force;
   hard.layered.static_friction = 0.2;
@@ -32,7 +32,7 @@ anatomy::TissueLibrary with_calcified_ligament(const anatomy::TissueLibrary& lib
   hard.syringe.resistance = 10.0;
   hard.deformable.young = 1.7;
   hard.deformable.puncture_force = force;
-  hard.acoustic.impedance = 3.5;  // between ligament and cortical bone, so that it shadows what lies behind
+  hard.acoustic.impedance = 3.5;  // between ligament and cortical bone, so that it shadows deeper tissue
   hard.acoustic.attenuation = 8.0;
   hard.acoustic.echo = -20.0;
   hard.physical.puncture_force = force;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMargin = 9.0;  // mm of air around the body
 constexpr double kAbove = 14.0;  // mm of the spine above the highest point of L1
 
-// An axial volume from a little below S1 to a part of T12; the frame is the patient's (LPS).
+// An axial volume from slightly below S1 to a part of T12; the frame is the patient's (LPS).
 anatomy::Grid make_grid(const LumbarModel& model, double spacing) {
   const Spine& spine = model.spine();
   const double bottom = spine.bottom(), top = spine.top() + kAbove;
@@ -46,7 +46,7 @@ std::vector<anatomy::Landmark> make_landmarks(const LumbarModel& model) {
   return landmarks;
 }
 
-// The path with its target in the middle of the fluid behind the roots, as the voxels have it.
+// The path with its target in the middle of the fluid behind the roots, by the voxels.
 anatomy::NeedlePath aim_at_fluid(const anatomy::NeedlePath& path, const anatomy::TissueVolume& tissues) {
   const Vec3 direction = path.direction();
   double begin = -1.0, end = -1.0;
@@ -65,7 +65,7 @@ anatomy::NeedlePath aim_at_fluid(const anatomy::NeedlePath& path, const anatomy:
 }
 
 // A ball at the side of the left psoas at L3, half in the muscle and half in the fat around it. Bone, vessels, nerves
-// and organs stay as they are.
+// and organs remain unchanged.
 void add_lesion(double across, anatomy::TissueVolume& tissues, anatomy::LabelVolume& structures) {
   const anatomy::Grid& grid = tissues.grid;
   const int middle = std::clamp(static_cast<int>(std::lround(grid.to_index(Vec3::Zero()).z())), 0, grid.size[2] - 1);

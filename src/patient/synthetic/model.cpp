@@ -95,7 +95,7 @@ Material LumbarModel::sac(const Vec3& p, const Slice& slice, double distance) co
     material.tissue = anatomy::tissue::spinal_cord;
     return material;
   }
-  // Cauda equina: roots sink to the front of the sac of a prone patient.
+  // Cauda equina: in a prone patient the roots sink to the front of the sac.
   static constexpr std::array<std::array<double, 2>, 9> kRoots = {{{0.0, -0.62},
                                                                    {0.24, -0.52},
                                                                    {0.46, -0.44},

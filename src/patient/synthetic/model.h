@@ -7,12 +7,12 @@
 
 namespace bodkin::patient {
 
-// The whole synthetic patient as a function of position. Constant once made: many threads may ask at once.
+// The whole synthetic patient as a function of position. Immutable and thread-safe.
 class LumbarModel {
  public:
   LumbarModel(const LumbarSizes& sizes, std::uint64_t seed);
 
-  // Everything that depends on height alone: sections at z - spacing, z and z + spacing.
+  // Everything that depends only on height: sections at z - spacing, z and z + spacing.
   struct Slice {
     std::array<SpineSection, 3> spine;
     TorsoSection torso;
@@ -22,7 +22,7 @@ class LumbarModel {
   };
   Slice slice(double z, double spacing) const;
 
-  // What the voxel at p, whose height is the slice's, is made of. The dura is at least one voxel thick everywhere,
+  // The material of the voxel at p, whose height is the slice's. The dura is at least one voxel thick everywhere,
   // corners included: real dura is 0.4 mm.
   Material at(const Vec3& p, const Slice& slice) const;
 
@@ -46,7 +46,7 @@ class LumbarModel {
   std::uint64_t seed_;
 };
 
-// What the labels mean, for the structures that `labels` holds.
+// The meaning of the labels, for the structures in `labels`.
 std::vector<anatomy::Structure> lumbar_structures(const anatomy::LabelVolume& labels);
 
 }  // namespace bodkin::patient

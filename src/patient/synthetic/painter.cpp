@@ -98,7 +98,7 @@ Palette make_palette(const anatomy::TissueVolume& tissues, const anatomy::Tissue
     double value = properties->hounsfield;
     if (id == anatomy::tissue::cancellous_bone) value *= sizes.cancellous_factor;
     if (id == anatomy::tissue::cortical_bone) value *= sizes.cortical_factor;
-    // Fatty change lowers the muscles of the old: 25 HU over a lifetime, our choice.
+    // Fatty change lowers the HU of aging muscles: 25 HU over a lifetime, our choice.
     if (id == anatomy::tissue::muscle) value -= 25.0 * sizes.torso.muscle_fat;
     palette.value[id] = static_cast<float>(value);
     palette.deviation[id] = static_cast<float>(properties->hounsfield_noise);

@@ -21,7 +21,7 @@ class Sacrum {
   double canal_depth(double z) const;
   double canal_half_width(double z) const;
   double crest_back(double z) const;                      // y of the median crest
-  double first_segment() const { return 31.0 * scale_; }  // mm below the endplate where S2 begins
+  double first_segment() const { return 31.0 * scale_; }  // mm below the endplate at which S2 begins
 
  private:
   SpineSizes sizes_;

@@ -7,11 +7,11 @@
 
 // Implicit shapes from which the synthetic patient is built: functions of position that are negative inside, positive
 // outside and near the surface about the distance to it in mm. Only + - * / and square roots are used, which IEEE 754
-// rounds alike everywhere, so that the same parameters give the same voxels on every machine.
+// rounds identically everywhere, so that the same parameters give the same voxels on every machine.
 namespace bodkin::patient::shapes {
 
-// sin and cos by their series (Taylor to the 15th and 16th power; error below 1e-12 for |angle| <= 1.6 rad). The
-// mathematical library's differ in the last bit from machine to machine.
+// sin and cos by their series (Taylor to the 15th and 16th power; error below 1e-12 for |angle| <= 1.6 rad). Those of
+// the mathematical library differ in the last bit from machine to machine.
 inline double sine(double angle) {
   const double square = angle * angle;
   double sum = 0.0, term = angle;

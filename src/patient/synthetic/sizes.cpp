@@ -34,7 +34,7 @@ constexpr std::array<VertebraSize, level::vertebrae> kVertebrae = {{
 
 struct InterspaceTable {
   double disc_height;  // mm, young adult; 11 mm at the lower levels as in Zhou et al. 2000 (Eur. Spine J. 9, 242-248)
-  double disc_wedge;   // degrees, prone and straight; with the bodies' wedges 47 degrees of lordosis from L1 to S1
+  double disc_wedge;   // degrees, prone and straight; with the bodies' wedges, 47 degrees of lordosis from L1 to S1
   double flexion;      // degrees lost at full flexion: Pearcy, Portek and Shepherd 1984 (Spine 9, 294-297), rounded
   double flavum;       // mm, Khasawneh et al. 2023 (layer_thickness.csv); above L2: our choice
 };

@@ -21,17 +21,17 @@ struct VertebraSize {
   double lamina_height;
   double process_reach;                       // from the back of the canal to the tip of the spinous process
   double process_height, process_tip_height;  // of the spinous process: middle, tip
-  double process_drop;                        // how much lower its tip is than its base
+  double process_drop;                        // by which its tip is lower than its base
   double transverse_span;                     // tip to tip of the transverse (costal) processes
   double facet_half_distance;                 // midline to the centre of the upper facet joint
   double facet_angle;                         // rad, of the upper facet joint to the sagittal plane
   double height() const;                      // middle of the body
 };
 
-// What lies between a vertebra and the next one below.
+// The structures between a vertebra and the next one below.
 struct InterspaceSize {
   double disc_height;
-  double disc_wedge;  // rad, > 0: higher in front (lordosis); flexion already taken off
+  double disc_wedge;  // rad, > 0: higher in front (lordosis); flexion already subtracted
   double flavum_thickness;
   bool ligament_gap;  // a fat-filled gap in the interspinous ligament
 };
@@ -46,7 +46,7 @@ struct SpineSizes {
   double osteophyte;   // rim on the endplates, fraction of the half width
   double scoliosis;    // mm, sideways bow of the spine
   double rotation;     // rad, axial rotation at the apex of the bow
-  double cobb;         // rad, of a curve that was asked for, > 0: convex to the left
+  double cobb;         // rad, of a requested curve, > 0: convex to the left
 };
 
 struct TorsoSizes {

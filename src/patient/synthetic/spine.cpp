@@ -14,8 +14,8 @@ double lower_facet(const SpineSizes& sizes, std::size_t i, bool angle) {
   return angle ? next.facet_angle : next.facet_half_distance;
 }
 
-// A curve that was asked for, over the share s of the way from the sacrum to T12: level at both ends, 1 in the
-// middle, most inclined a fifth of the way from each end; and its slope.
+// A requested curve, over the fraction s of the way from the sacrum to T12: level at both ends, 1 in the middle, most
+// inclined a fifth of the way from each end; and its slope.
 double curve(double s) {
   return 16.0 * s * s * (1.0 - s) * (1.0 - s);
 }
@@ -23,8 +23,8 @@ double curve_slope(double s) {
   return 32.0 * s * (1.0 - s) * (1.0 - 2.0 * s);
 }
 
-// Axial rotation of the apex for each degree of Cobb's angle: our choice. The spinous processes turn to the hollow
-// side, as they do in patients.
+// Axial rotation of the apex for each degree of Cobb's angle: our choice. The spinous processes turn to the concave
+// side, as in patients.
 constexpr double kTurnOfCurve = 0.4;
 
 Pose make_pose(const Mat3& rotation, const Vec3& origin) {
@@ -201,8 +201,8 @@ SpineSection Spine::section(double z) const {
   s.tip_x = tip_x_(z);
   s.tip_y = tip_y_(z);
   s.back_y = std::max(back_y_(z), s.tip_y);
-  // The turn of a curve parts tip and canal by up to a centimetre; that of every patient, less than half a
-  // millimetre, does not matter to the ligaments.
+  // The rotation of a curve separates tip and canal by up to a centimetre; that of any patient, less than half a
+  // millimetre, does not affect the ligaments.
   s.midline_slope = sizes_.cobb == 0.0 ? 0.0 : (s.tip_x - s.canal_x) / (s.tip_y - s.canal_y);
   s.body_x = body_x_(z);
   s.body_y = body_y_(z);

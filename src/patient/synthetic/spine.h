@@ -11,7 +11,7 @@
 namespace bodkin::patient {
 
 // Cross-sections of everything that runs along the spine, at one height z (patient frame, mm). The canal's section is
-// taken across the canal: y is shortened by `tilt`, the cosine of its slope.
+// perpendicular to the canal: y is shortened by `tilt`, the cosine of its slope.
 struct SpineSection {
   double z;
   double canal_x, canal_y, tilt;                     // centre
@@ -21,7 +21,7 @@ struct SpineSection {
   double flavum;                                     // thickness of the ligamentum flavum
   double tip_x, tip_y;                               // line along the tips of the spinous processes
   double back_y;                                     // the same, bridging the hollow behind L5 and S1
-  double midline_slope;  // of the midline behind the canal, x over y: 0 but in a spine that is turned
+  double midline_slope;  // of the midline behind the canal, x over y: 0 except in a rotated spine
   double body_x, body_y, body_half_width, body_half_depth;
 };
 
@@ -42,15 +42,15 @@ class Spine {
   static constexpr int sacrum = level::s1, ilium = level::s1 + 1, bones = level::s1 + 2;
 
   SpineSection section(double z) const;
-  // Bones at p, of those whose bit is set in `mask`. `section` is that of p.z().
+  // Bones at p, among those whose bit is set in `mask`. `section` is that of p.z().
   BoneHit bones_at(const Vec3& p, const SpineSection& section, unsigned mask = ~0u) const;
-  // The bones that may be met at height z within `margin` mm.
+  // The bones that may be within `margin` mm at height z.
   unsigned bones_near(double z, double margin) const;
-  // Inside a disc? Its number (that of the vertebra above) or -1. `mask` as above.
+  // The number of the disc that contains p (that of the vertebra above), or -1. `mask` as above.
   int disc_at(const Vec3& p, unsigned mask) const;
-  // Within a nerve root on its way out through a foramen?
+  // Whether p is in a nerve root on its way out through a foramen.
   bool root_at(const Vec3& p) const;
-  // Between the spinous processes of which two vertebrae? The upper one's number, or -1.
+  // The number of the upper of the two vertebrae between whose spinous processes p lies, or -1.
   int between_processes(const Vec3& p) const;
 
   // Signed distance to the wall of the spinal canal and to the outside of the dura.

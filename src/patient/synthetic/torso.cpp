@@ -3,8 +3,8 @@
 namespace bodkin::patient {
 namespace {
 
-// Depth of the groove between the two columns of back muscle (mm): our choice. Section thicknesses of the other
-// muscles: our choice too, after CT.
+// Depth of the groove between the two columns of back muscle (mm): our choice. Cross-sections of the other muscles:
+// also our choice, after CT.
 constexpr double kMuscleFurrow = 9.0;
 
 double square(double x) {
@@ -102,7 +102,7 @@ Material Torso::back_muscle(const Vec3& p, double fascia, const TorsoSection& to
     return {anatomy::tissue::muscle, left ? structure::autochthon_left : structure::autochthon_right};
   }
   if (erector < 1.0 || x < half_width) return {x < half_width ? anatomy::tissue::muscle : anatomy::tissue::fat, 0};
-  // Lateral to the column the wall of the flank comes round to the back, with fat in front of it that ends above the
+  // Lateral to the column the wall of the flank curves round to the back, with fat in front of it that ends above the
   // pelvis.
   const double arch = s1_z_ + 20.0 * s + 0.9 * (p.y() - spine.canal_y) + 12.0 * s * square((x / s - 88.0) / 18.0);
   const bool fat = fascia < -wall_thickness(p, torso) && p.z() > arch;
@@ -112,7 +112,7 @@ Material Torso::back_muscle(const Vec3& p, double fascia, const TorsoSection& to
 Material Torso::vessel(const Vec3& p, const SpineSection& spine) const {
   const double s = sizes_.scale;
   const double front = spine.body_y - spine.body_half_depth;
-  // Aorta to the left, vena cava to the right, in front of the bodies; they part into iliac vessels at L4 and L5.
+  // Aorta to the left, vena cava to the right, in front of the bodies; they divide into iliac vessels at L4 and L5.
   const double artery_drop = std::max(l4_z_ - 8.0 * s - p.z(), 0.0),
                vein_drop = std::max(l5_z_ + 6.0 * s - p.z(), 0.0);
   const double y = p.y() - front;
@@ -207,7 +207,7 @@ Material Torso::soft_tissue(const Vec3& p, const TorsoSection& torso, const Spin
 
   if (p.y() > spine.canal_y) return back_muscle(p, fascia, torso, spine);
   if (fascia > -wall_thickness(p, torso)) {
-    // Thin layers of fat part the three muscles of the flank.
+    // Thin layers of fat separate the three muscles of the flank.
     const bool layer = std::abs(fascia + 6.8 * s) < 0.6 || std::abs(fascia + 13.0 * s) < 0.6;
     return {x > 66.0 * s && layer ? anatomy::tissue::fat : anatomy::tissue::muscle, 0};
   }

@@ -7,7 +7,7 @@
 
 namespace bodkin::patient {
 
-// What one voxel is: tissue and structure label (0: none).
+// The content of one voxel: tissue and structure label (0: none).
 struct Material {
   anatomy::TissueId tissue = anatomy::tissue::air;
   std::uint16_t label = 0;
@@ -29,7 +29,7 @@ struct TorsoSection {
     double furrow;                   // depth of the furrow at the midline
   };
   double middle_x;
-  Outline skin, fascia;  // fascia: what lies under the subcutaneous fat
+  Outline skin, fascia;  // fascia: surface under the subcutaneous fat
 };
 
 // The trunk around the spine: skin, fat, muscles, organs and vessels.
@@ -37,13 +37,13 @@ class Torso {
  public:
   Torso(const TorsoSizes& sizes, const Spine& spine, std::uint64_t seed);
 
-  // How far the supraspinous ligament stands behind the tips of the spinous processes, mm: our choice.
+  // mm by which the supraspinous ligament lies behind the tips of the spinous processes: our choice.
   static constexpr double kSupraspinous = 3.7;
 
   TorsoSection section(double z, const SpineSection& spine) const;
   // Signed distance to an outline, negative inside; good to a few percent within a centimetre.
   static double outline_distance(const Vec3& p, const TorsoSection& section, const TorsoSection::Outline& outline);
-  // What lies at p where neither bone, disc, canal nor spinal ligament does; p is under the skin.
+  // The material at p outside bone, disc, canal and spinal ligaments; p is under the skin.
   Material soft_tissue(const Vec3& p, const TorsoSection& torso, const SpineSection& spine) const;
   // Half width and front of the box that holds the skin at every height of the spine.
   double half_width() const;

@@ -9,7 +9,7 @@
 namespace bodkin::patient {
 namespace {
 
-// As people write it down, and the same bits on every machine: `per_unit` steps in a unit.
+// Rounded to `per_unit` steps in a unit, as people write it, with the same bits on every machine.
 double in_steps(double value, double per_unit) {
   return std::floor(value * per_unit + 0.5) / per_unit;
 }
@@ -24,7 +24,7 @@ LumbarVariant draw_variant(std::uint64_t seed) {
   patient.age = in_steps(age.uniform(20.0, 90.0), 1.0);
 
   Random build(mix64(seed ^ 0x4255494C44ULL));
-  double sum = 0.0;  // of six uniform numbers: about normal, by exact arithmetic alone
+  double sum = 0.0;  // of six uniform numbers: about normal, only by exact arithmetic
   for (int i = 0; i < 6; ++i) sum += build.uniform(-1.0, 1.0);
   patient.height = in_steps(std::clamp(1.70 + 0.09 * 0.7071 * sum, 1.45, 2.0), 100.0);
   const double share = build.uniform();

@@ -82,7 +82,7 @@ double Vertebra::body_section(const Vec3& p) const {
   const double t2 = t * t, t8 = t2 * t2 * t2 * t2;
   const double waist = 1.0 - 0.11 * (1.0 - t2) + osteophyte_ * t8;
   const double half_width = 0.5 * size_.endplate_width, half_depth = 0.5 * size_.endplate_depth;
-  // Only sides and front are hollow: the back wall keeps to the canal.
+  // Only sides and front are concave: the back wall follows the canal.
   const double depth = p.y() > 0.0 ? half_depth : half_depth * waist;
   return shapes::superellipse(p.x(), p.y(), half_width * waist, depth);
 }

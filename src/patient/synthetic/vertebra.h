@@ -17,11 +17,11 @@ class Vertebra {
   Vertebra(const VertebraSize& size, const InterspaceSize& below, double lower_facet_half_distance,
            double lower_facet_angle, double facet_scale, double osteophyte);
 
-  // Negative inside the bone. Exact to a few percent within some mm of the surface; beyond kFar it may be any value
-  // above kFar.
+  // Negative inside the bone. Accurate to a few percent within some mm of the surface; beyond kFar it may be any
+  // value above kFar.
   double distance(const Vec3& p) const;
   // Outline of the spinous process and lamina in the sagittal plane, whatever x is: negative at the heights and
-  // depths of the process. What lies outside the outlines of two neighbours lies between them.
+  // depths of the process. Points outside the outlines of two neighbours lie between them.
   double process_outline(const Vec3& p) const;
   // The cross-section of the body at p, whatever its height: negative within the body's sides.
   double body_section(const Vec3& p) const;
@@ -48,7 +48,7 @@ class Vertebra {
   struct BoundedRod {
     shapes::Rod rod;
     Vec3 centre;
-    double reach;  // beyond it the rod cannot matter
+    double reach;  // farther away the rod can be ignored
   };
   std::vector<BoundedRod> arch_rods_;  // right and left are mirror images: for x >= 0
 };

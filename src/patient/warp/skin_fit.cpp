@@ -25,7 +25,7 @@ namespace bodkin::patient {
 namespace {
 
 constexpr double border = 4.0;     // mm from the end of a volume within which its surface is a lid
-constexpr double farthest = 80.0;  // mm between two points that are a pair
+constexpr double farthest = 80.0;  // mm between two points that form a pair
 constexpr double alike = 0.5;      // least cosine between the normals of a pair
 constexpr std::size_t least_pairs = 12;
 constexpr double depth_kept = 80.0;  // mm below the skin that move with it [D]
@@ -137,8 +137,7 @@ void check(const SkinFitSettings& settings) {
 
 struct SkinFit::Parts {
   Pose moved = Pose::Identity(), back = Pose::Identity();
-  vtkNew<vtkThinPlateSplineTransform>
-      spline;  // in the patient's axes, before the skins were brought together to after
+  vtkNew<vtkThinPlateSplineTransform> spline;  // in the patient's axes, from before the skins were aligned to after
   std::size_t pairs = 0;
   SkinDistances at_start, when_moved, when_bent;
 
@@ -166,7 +165,7 @@ SkinFit::SkinFit(const Skin& patient, const Skin& body, const Pose& start, const
   parts.moved = closest_points(about, body, start);
   parts.back = parts.moved.inverse();
 
-  // Points of the body's skin within reach, as they lie in the patient, each with its nearest place there.
+  // Points of the body's skin within reach, in the patient, each with its nearest place there.
   struct Pair {
     Vec3 body, patient, normal;
   };
@@ -190,7 +189,7 @@ SkinFit::SkinFit(const Skin& patient, const Skin& body, const Pose& start, const
   parts.at_start = distances_of(std::move(at_start));
   parts.when_moved = distances_of(std::move(when_moved));
 
-  // One of them in each cube, the first.
+  // Keeps the first of them in each cube.
   const auto thinned = [&](double spacing) {
     std::map<std::tuple<int, int, int>, std::size_t> in_cube;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -214,7 +213,7 @@ SkinFit::SkinFit(const Skin& patient, const Skin& body, const Pose& start, const
   Vec3 outwards = Vec3::Zero();
   for (const auto& [cube, i] : chosen) outwards += pairs[i].normal;
   outwards.normalize();
-  // Skin alone says nothing of what lies below: without points there the spline would stretch the depth.
+  // Skin contains no information about deeper tissue: without points there the spline would stretch the depth.
   for (const double below : {0.0, 0.5 * depth_kept, depth_kept}) {
     for (const auto& [cube, i] : below < depth_kept ? chosen : fewer) {
       const Vec3 before = pairs[i].body - below * outwards, after = pairs[i].patient - below * outwards;
@@ -242,7 +241,7 @@ Vec3 SkinFit::to_patient(const Vec3& place) const {
   return parts_->bent(parts_->back * place);
 }
 
-// The bend is gentle: a few steps of the same map bring it back.
+// The bend is gentle: a few steps of the same map invert it.
 Vec3 SkinFit::to_body(const Vec3& place) const {
   constexpr int most_steps = 100;
   constexpr double enough = 1e-6;  // mm

@@ -11,27 +11,28 @@ namespace bodkin::patient {
 
 // [D] our choices.
 struct SkinFitSettings {
-  double reach = 120.0;   // mm around the middle within which skin is laid on skin; 30 to 500
-  double spacing = 15.0;  // mm between the points that are brought together; 5 to 60
+  double reach = 120.0;   // mm around the middle within which the skins are matched; 30 to 500
+  double spacing = 15.0;  // mm between the matched points; 5 to 60
 };
 
 // Throws InputError naming the first number out of range.
 void check(const SkinFitSettings& settings);
 
-// A skin, and the lattice of the volume that it was drawn from: where that ends, the surface is a lid and no skin.
+// A skin, and the lattice of the volume from which it was drawn: at the volume's border the surface is a lid, not
+// skin.
 struct Skin {
   anatomy::Surface surface;
   anatomy::Grid grid;
 };
 
-// Distances of the one skin from the other within reach, mm.
+// Distances of one skin from the other within reach, mm.
 struct SkinDistances {
   double rms = 0.0, p95 = 0.0, most = 0.0;
 };
 
-// A patient laid upon a body of another shape, so that skin lies on skin: first moved as it is (iterative closest
-// points, Besl and McKay 1992; vtkIterativeClosestPointTransform), then bent by a thin-plate spline (Bookstein 1989;
-// vtkThinPlateSplineTransform) through pairs of points of both skins. What lies up to 80 mm below moves with the skin
+// Fits a patient to a body of another shape, so that their skins coincide: first by a rigid motion (iterative closest
+// points, Besl and McKay 1992; vtkIterativeClosestPointTransform), then by a thin-plate spline (Bookstein 1989;
+// vtkThinPlateSplineTransform) through pairs of points of both skins. Tissue up to 80 mm below moves with the skin
 // above it, so that its depth is kept; bone bends too.
 class SkinFit {
  public:
@@ -43,12 +44,12 @@ class SkinFit {
   SkinFit(SkinFit&&) noexcept;
   SkinFit& operator=(SkinFit&&) noexcept;
 
-  // What is at a place of the body, in the patient.
+  // The point of the patient at a place of the body.
   Vec3 to_patient(const Vec3& place) const;
-  // Where a place of the patient comes to lie.
+  // The place in the body of a point of the patient.
   Vec3 to_body(const Vec3& place) const;
 
-  const Pose& moved() const noexcept;  // body from patient, as the closest points have it
+  const Pose& moved() const noexcept;  // body from patient, by the closest points
   std::size_t pairs() const noexcept;
   SkinDistances at_start() const noexcept;
   SkinDistances when_moved() const noexcept;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double cell = 6.0;  // mm between the places at which the bend is computed; it is smooth
 
-// Where each voxel of a lattice comes from: the bend at the corners of coarse cells, trilinear between them.
+// Origin of each voxel of a lattice: the bend at the corners of coarse cells, trilinear between them.
 class CoarseMap {
  public:
   CoarseMap(const SkinFit& fit, const anatomy::Grid& fine) : to_patient_(fit.moved().inverse()) {

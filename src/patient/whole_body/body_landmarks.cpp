@@ -81,16 +81,17 @@ double spinous_height(int vertebra) {
   return c7 - 12.0 * thoracic - lumbar * (vertebra - 12);
 }
 
-double rib_height(int rib, double way) {
-  // In front ribs 1 to 7 meet the breastbone, 8 to 10 the arch, 11 and 12 end freely at the side.
+double rib_height(int rib, double position) {
+  // In front, ribs 1 to 7 meet the breastbone and 8 to 10 the costal arch; 11 and 12 end freely at the side.
   static constexpr std::array<double, 12> front = {1374.0, 1347.0, 1322.0, 1297.0, 1272.0, 1248.0,
                                                    1226.0, 1204.0, 1180.0, 1150.0, 1092.0, 1084.0};
   const double behind = spinous_height(rib) + 24.0;
   const double sag = 12.0 + 2.0 * rib;  // below the straight line, most in the middle
-  return behind + way * (front[static_cast<std::size_t>(rib - 1)] - behind) - 4.0 * sag * way * (1.0 - way);
+  return behind + position * (front[static_cast<std::size_t>(rib - 1)] - behind) -
+         4.0 * sag * position * (1.0 - position);
 }
 
-double rib_way(const Vec3& q) {
+double position_along_ribs(const Vec3& q) {
   // By the direction from the middle of the chest; a rational stand-in for the angle.
   const double x = std::abs(q.x()), y = q.y();
   const double sum = x + std::abs(y);

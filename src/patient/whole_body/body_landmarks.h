@@ -9,8 +9,8 @@
 
 namespace bodkin::patient {
 
-// A place by which points are found, on the skin of the left half of a body (LPS mm). A point and a level have one
-// place; a line has two or more, from one end to the other.
+// A landmark by which points are located, on the skin of the left half of a body (LPS mm). A point and a level have
+// one place; a line has two or more, from one end to the other.
 struct BodyLandmark {
   enum class Kind : std::uint8_t { point, line, level };
   Kind kind = Kind::point;
@@ -21,14 +21,14 @@ struct BodyLandmark {
 
 using BodyLandmarks = std::map<std::string, BodyLandmark, std::less<>>;
 
-// Which way heights are counted: up the body, or along the limb.
+// The direction in which heights are measured: up the body, or along the limb.
 enum class BodyPart : std::uint8_t { trunk, arm, leg, foot };
 
-// The 231 landmarks that acupuncture's standard measures from (WHO Standard Acupuncture Point Locations, 2008),
-// placed by this body's own bones, folds and outlines.
+// The 231 landmarks used by acupuncture's standard (WHO Standard Acupuncture Point Locations, 2008), placed by this
+// body's own bones, folds and outlines.
 BodyLandmarks body_landmarks(const BodyShape& shape);
 
-// Walks on a body from its inside or outside to the skin, in drawn mm; for the files of the landmarks.
+// Searches from a body's inside or outside for the skin, in drawn mm; for the files of the landmarks.
 class SkinFinder {
  public:
   SkinFinder(const BodyShape& shape, BodyLandmarks& landmarks) : shape_(shape), landmarks_(landmarks) {}
@@ -40,7 +40,8 @@ class SkinFinder {
   Vec3 back(double x, double z) const { return along(Vec3(x, 330.0, z), -Vec3::UnitY()); }
   // From the median plane outwards at this depth and height.
   Vec3 side(double y, double z) const { return along(Vec3(0.0, y, z), Vec3::UnitX()); }
-  // About a limb's axis: 0 deg to the thumb or the little toe, 90 to the front, 180 to the body, 270 to the back.
+  // About a limb's axis: 0 deg towards the thumb or the little toe, 90 to the front, 180 towards the body, 270 to the
+  // back.
   Vec3 arm(double w, double angle) const;
   Vec3 leg(double z, double angle) const;
   Vec3 neck(double z, double angle) const;
@@ -69,8 +70,8 @@ void add_foot_landmarks(SkinFinder& skin);
 // Heights of the spine, drawn mm: of the lower border of a spinous process, 0 C7, 1 T1, ... 12 T12, 13 L1, ... 17 L5.
 double spinous_height(int vertebra);
 // Height of rib 1 to 12 on its way from the spine (0) round to the breastbone or its free end (1).
-double rib_height(int rib, double way);
-// The way along the ribs of a place on the trunk: 0 behind, 1 in front.
-double rib_way(const Vec3& q);
+double rib_height(int rib, double position);
+// The position along the ribs of a place on the trunk: 0 behind, 1 in front.
+double position_along_ribs(const Vec3& q);
 
 }  // namespace bodkin::patient

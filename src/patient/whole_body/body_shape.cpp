@@ -15,7 +15,7 @@ using shapes::blend;
 
 constexpr double drawn_height = 1720.0;
 constexpr double abduction = 33.0 * shapes::degrees;
-constexpr double away = 400.0;  // a part that cannot matter
+constexpr double away = 400.0;  // a part too far away to matter
 
 double ball(const Vec3& q, double x, double y, double z, double rx, double ry, double rz) {
   return shapes::ellipsoid(q - Vec3(x, y, z), Vec3(rx, ry, rz));
@@ -228,7 +228,7 @@ double BodyShape::leg_distance(const Vec3& q) const {
 
 double BodyShape::drawn_distance(const Vec3& q, bool with_ears) const {
   const Vec3 p(std::abs(q.x()), q.y(), q.z());
-  // A bound by boxes saves the far parts.
+  // Bounding boxes skip the far parts.
   double d = away;
   if (p.x() < 300.0 && p.z() > 700.0 && p.z() < 1560.0) d = trunk_distance(p);
   if (p.z() < 980.0) d = blend(d, leg_distance(p), 40.0);

@@ -13,7 +13,7 @@ namespace bodkin::patient {
 
 enum class Sex : std::uint8_t { male, female };
 
-// What a whole synthetic body is made from.
+// Parameters of a whole synthetic body.
 struct BodyParameters {
   double height = 1.72;  // m, 1.40 to 2.05
   double weight = 70.0;  // kg, 40 to 160: with height, the girth of trunk and limbs and the fat under the skin
@@ -35,28 +35,28 @@ struct Tube {
 };
 
 // The outside of a standing body as a signed distance, negative inside: anatomical position, arms straight and raised
-// sideways by 33 degrees, palms to the front. Patient frame (LPS mm): the soles at z = 0, the middle of the body at
-// x = 0. The body is symmetric. Constant once made: many threads may ask at once.
+// sideways by 33 degrees, palms to the front. Patient frame (LPS mm): the soles at z = 0, the middle of the body at x
+// = 0. The body is symmetric. Immutable and thread-safe.
 //
-// Everything is drawn for a man of 1.72 m in "drawn" millimetres, and scaled to the height. Distances are good to
-// some percent near the skin, which is all that a walk to the skin needs.
+// Everything is designed for a man of 1.72 m in "drawn" millimetres, and scaled to the height. Distances are accurate
+// to some percent near the skin, which suffices for a search for the skin.
 class BodyShape {
  public:
-  // Parameters that check_body() has let pass.
+  // Parameters accepted by check_body().
   explicit BodyShape(const BodyParameters& parameters);
 
   const BodyParameters& parameters() const { return parameters_; }
-  double scale() const { return scale_; }  // real mm for a drawn one
+  double scale() const { return scale_; }  // real mm per drawn mm
   double girth() const { return girth_; }  // of the trunk, 1: body mass index 23
   double distance(const Vec3& p) const { return scale_ * drawn_distance(p / scale_); }
-  // Of the body without ears, which hide what lies behind them.
+  // Of the body without ears, which hide the skin behind them.
   double drawn_distance(const Vec3& q, bool with_ears = true) const;
   // Unit, outwards; of the body without ears.
   Vec3 normal(const Vec3& p) const;
-  // The nearest place on the skin, ears left out, to a point less than some cm from it.
+  // The nearest point on the skin, without ears, to a point less than some cm from it.
   Vec3 nearest_skin(const Vec3& p) const;
 
-  // Parts alone, drawn mm, of the left half (x >= 0).
+  // Single parts, drawn mm, of the left half (x >= 0).
   double trunk_distance(const Vec3& q) const;
   const Tube& leg() const { return leg_; }
 

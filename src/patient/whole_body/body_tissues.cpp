@@ -24,9 +24,9 @@ TissueId bone_at(double distance) {
 }
 
 // From the skin of the chest to the ribs: muscles of the back, thin side, muscles of the breast.
-double over_ribs(double way) {
+double over_ribs(double position) {
   const double behind = 26.0, side = 13.0, front = 14.0;
-  return way < 0.5 ? behind + 2.0 * way * (side - behind) : side + (2.0 * way - 1.0) * (front - side);
+  return position < 0.5 ? behind + 2.0 * position * (side - behind) : side + (2.0 * position - 1.0) * (front - side);
 }
 constexpr double rib_thickness = 8.0, rib_half_height = 6.5;
 
@@ -179,7 +179,7 @@ TissueId BodyTissues::spine(const Vec3& q) const {
     if (r < 7.4) return tissue::cerebrospinal_fluid;
     return r < 8.4 ? tissue::dura : tissue::epidural_fat;
   }
-  // Between which spinous processes, and how far down from the upper one.
+  // The two enclosing spinous processes, and the distance down from the upper one.
   double top = 0.0, pitch = 22.0;
   if (neck) {
     top = 1428.0 + 18.0 * std::ceil((z - 1428.0) / 18.0);
@@ -209,7 +209,7 @@ TissueId BodyTissues::spine(const Vec3& q) const {
 
 TissueId BodyTissues::chest_and_belly(const Vec3& q, double depth) const {
   const Vec3 p(std::abs(q.x()), q.y(), q.z());
-  const double way = rib_way(p), wall = over_ribs(way) + fat(p);
+  const double along_rib = position_along_ribs(p), wall = over_ribs(along_rib) + fat(p);
   const bool breastbone = p.x() < 17.0 && p.y() < 0.0 && p.z() > breastbone_bottom && p.z() < breastbone_top;
   if (breastbone && depth > 7.0 && depth < 19.0)
     return depth < 9.0 || depth > 17.0 ? tissue::cortical_bone : tissue::cancellous_bone;
@@ -217,7 +217,7 @@ TissueId BodyTissues::chest_and_belly(const Vec3& q, double depth) const {
   if (caged && depth > wall && depth < wall + rib_thickness) {
     for (int rib = 1; rib <= 12; ++rib) {
       const double end = rib == 11 ? 0.5 : rib == 12 ? 0.38 : 1.0;
-      if (way > end || std::abs(p.z() - rib_height(rib, way)) > rib_half_height) continue;
+      if (along_rib > end || std::abs(p.z() - rib_height(rib, along_rib)) > rib_half_height) continue;
       return depth < wall + 1.6 || depth > wall + rib_thickness - 1.6 ? tissue::cortical_bone
                                                                       : tissue::cancellous_bone;
     }
@@ -240,7 +240,7 @@ TissueId BodyTissues::chest_and_belly(const Vec3& q, double depth) const {
   if (inside_ball(q, 96.0, 28.0, 1176.0, 26.0, 34.0, 44.0) < 0.0) return tissue::organ;    // spleen
   if (inside_ball(p, 62.0, 38.0, 1092.0, 27.0, 21.0, 54.0) < 0.0) return tissue::organ;    // kidneys
   if (inside_ball(p, 0.0, -42.0, 905.0, 36.0, 28.0, 28.0) < 0.0) return tissue::organ;     // bladder
-  // Behind, the psoas; below, the pelvis' floor and its muscles; else stomach and bowel.
+  // Behind, the psoas; below, the pelvic floor and its muscles; else stomach and bowel.
   if (p.y() > front_of_spine + 12.0 || p.z() < 900.0) return tissue::air;
   if (shapes::ellipse(p.x() - 42.0, p.y() - front_of_spine - 8.0, 22.0, 20.0) < 0.0 && p.z() < 1110.0)
     return tissue::muscle;

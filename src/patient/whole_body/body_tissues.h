@@ -9,9 +9,9 @@
 
 namespace bodkin::patient {
 
-// What a synthetic body is made of, everywhere: skin, fat, muscle, bones, lungs, heart, liver, kidneys, brain, cord,
-// great vessels and nerves. Simple shapes at the places where they lie: enough for what is under a point, and how
-// deep bone, pleura or a vessel is there; not an atlas of anatomy. Constant once made.
+// The tissues of a synthetic body, everywhere: skin, fat, muscle, bones, lungs, heart, liver, kidneys, brain, cord,
+// great vessels and nerves. Simple shapes at their anatomical places: enough for the tissues under a point, and the
+// depth of bone, pleura or a vessel there; not an atlas of anatomy. Immutable and thread-safe.
 class BodyTissues {
  public:
   explicit BodyTissues(const BodyShape& shape);

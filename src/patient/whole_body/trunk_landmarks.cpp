@@ -9,13 +9,13 @@ namespace {
 constexpr std::array<const char*, 18> vertebra_names = {"C7", "T1",  "T2",  "T3",  "T4", "T5", "T6", "T7", "T8",
                                                         "T9", "T10", "T11", "T12", "L1", "L2", "L3", "L4", "L5"};
 
-// The skin of the front at a distance from the median plane, where the gap below `rib` runs.
+// The skin of the front at a distance from the median plane, at the gap below `rib`.
 Vec3 in_space(const SkinFinder& skin, int rib, double x) {
   double z = 0.5 * (rib_height(rib, 1.0) + rib_height(rib + 1, 1.0));
   Vec3 place = skin.front(x, z);
   for (int i = 0; i < 12; ++i) {
-    const double way = rib_way(place);
-    z = 0.5 * (rib_height(rib, way) + rib_height(rib + 1, way));
+    const double along_rib = position_along_ribs(place);
+    z = 0.5 * (rib_height(rib, along_rib) + rib_height(rib + 1, along_rib));
     place = skin.front(x, z);
   }
   return place;
@@ -26,8 +26,8 @@ Vec3 in_space_at_side(const SkinFinder& skin, int rib, double y) {
   double z = 1280.0;
   Vec3 place = skin.side(y, z);
   for (int i = 0; i < 12; ++i) {
-    const double way = rib_way(place);
-    z = 0.5 * (rib_height(rib, way) + rib_height(rib + 1, way));
+    const double along_rib = position_along_ribs(place);
+    z = 0.5 * (rib_height(rib, along_rib) + rib_height(rib + 1, along_rib));
     place = skin.side(y, z);
   }
   return place;
@@ -66,7 +66,7 @@ void add_trunk_landmarks(SkinFinder& skin) {
   for (int rib = 1; rib <= 7; ++rib) {
     std::vector<Vec3> space;
     for (double x = 0.0; x <= 138.0; x += 6.0) space.push_back(in_space(skin, rib, x));
-    // On round the side, where the arm leaves it free.
+    // Around the side, where the arm leaves it free.
     if (rib >= 4) {
       for (double y = space.back().y() + 10.0; y < axilla_y + 6.0; y += 6.0)
         space.push_back(in_space_at_side(skin, rib, y));

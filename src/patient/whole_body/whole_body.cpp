@@ -53,7 +53,7 @@ anatomy::TissueVolume body_volume(const BodyShape& shape, const BodyTissues& tis
         const Vec3 p = grid.to_patient(Vec3(i, j, k));
         const double distance = shape.distance(p);
         if (distance >= 0.0) {
-          // Nothing but air for about that far: distances are good to some percent near the skin only.
+          // Only air for about that distance: distances are accurate to some percent only near the skin.
           i += std::max(1, static_cast<int>(std::min(0.5 * distance, 40.0) / block.spacing));
           continue;
         }

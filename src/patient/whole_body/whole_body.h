@@ -11,9 +11,9 @@
 
 namespace bodkin::patient {
 
-// The part of a body that is made, and how finely.
+// The part of a body to generate, and its resolution.
 struct BodyBlock {
-  std::optional<Vec3> middle;  // LPS mm; nothing: the whole body
+  std::optional<Vec3> middle;  // LPS mm; empty: the whole body
   double width = 200.0;        // mm, of the cube about `middle`, 40 to 400
   double spacing = 4.0;        // mm, isotropic voxels; 3 to 8 for the whole body, 0.8 to 3 for a block
 };

@@ -200,7 +200,7 @@ TEST(DamagedFiles, dicom) {
 }
 
 TEST(DamagedFiles, a_file_never_brings_in_its_neighbour) {
-  // niftilib would read a.nii when asked for the voxels of a.nii.gz.
+  // niftilib would read a.nii for the voxels of a.nii.gz.
   const test::ScratchFolder folder;
   CtVolume ct = test::small_ct();
   test::write_file(folder / "a.nii.gz", test::gzip_bytes(test::nifti_bytes(ct)));

@@ -11,8 +11,8 @@
 #include "io/images/image_source.h"
 #include "io/run_program.h"
 
-// What radiology exports besides a clean stack of slices: damaged slices, packed and lossy ones, several frames in
-// one file; and NIfTI with padding that is not a number.
+// Radiology's exports other than a clean stack of slices: damaged slices, packed and lossy ones, several frames in
+// one file; and NIfTI with NaN padding.
 
 namespace bodkin {
 
@@ -50,7 +50,7 @@ void write_series(const test::ScratchFolder& folder, int bad, const Damage& dama
   }
 }
 
-// HU by which a series came back otherwise than it was.
+// HU by which a series changed in a round trip.
 struct ValuesLost {
   double largest = 0.0, root_mean_square = 0.0;
 };
@@ -309,7 +309,7 @@ TEST(DicomSeries, a_loss_that_the_code_does_not_state_is_noted_without_a_number)
   const test::ScratchFolder folder;
   test::write_file(folder / "a.dcm", bytes);
   EXPECT_THAT(read_ct(folder.path()).notes,
-              Contains(HasSubstr("compressed with loss, 12.5:1; the file does not tell")));
+              Contains(HasSubstr("compressed with loss, 12.5:1; the file does not say")));
 }
 
 TEST(DicomSeries, a_loss_by_jpeg_2000_is_noted_with_what_its_ratio_did_to_other_cts) {
@@ -325,7 +325,7 @@ TEST(DicomSeries, a_loss_by_jpeg_2000_is_noted_with_what_its_ratio_did_to_other_
                                  "by less than 18 HU (root mean square) and 120 HU at most")));
 }
 
-// Edges and noise as a CT has them: what comes back lies within what the note says.
+// Edges and noise as a CT has them: the decoded values are within the note's limits.
 TEST(DicomSeries, jpeg_2000_moves_values_no_further_than_its_note_says) {
   test::DicomSliceFile slice = slice_at(0);
   slice.columns = slice.rows = 128;

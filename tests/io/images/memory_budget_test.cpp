@@ -29,7 +29,7 @@ TEST(MemoryBudget, refuses_what_goes_beyond_it_and_only_while_it_lives) {
 }
 
 // A second heap for a thread reserves address space at a moment that depends on the load of the machine; a budget
-// that counted it refused sound files now and then.
+// that counted it sometimes refused sound files.
 TEST(MemoryBudget, reserved_address_space_is_free) {
   const MemoryBudget budget(16U << 20U);
   constexpr std::size_t reserved = 512U << 20U;

@@ -28,7 +28,7 @@ inline std::filesystem::path data_folder() {
   const std::filesystem::path variable = test::data_folder(); \
   if (variable.empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder"
 
-// What `call` is refused with.
+// The message of `call`'s refusal.
 template <typename Call>
 std::string sentence_of(const Call& call) {
   try {

@@ -75,8 +75,8 @@ TEST(GmshFile, every_damage_gets_a_sentence_with_its_line) {
   const auto expect = [](const std::string& text, const std::string& line, const std::string& sentence) {
     EXPECT_THAT(gmsh_refusal(text), AllOf(HasSubstr("body.msh, line " + line), HasSubstr(sentence)));
   };
-  expect("", "1", "no mesh of Gmsh");
-  expect("solid cube\n", "1", "no mesh of Gmsh");
+  expect("", "1", "not a mesh of Gmsh");
+  expect("solid cube\n", "1", "not a mesh of Gmsh");
   expect(gmsh_changed(two, "2.2 0 8", "1.0 0 8"), "2", "expected 2.2 or 4.1");
   expect(gmsh_changed(two, "2.2 0 8", "2.2 1 8"), "2", "binary");
   expect(gmsh_changed(two, "$Nodes\n27", "$Nodes\n28"), "39", "'$EndNodes', expected a whole number");

@@ -165,9 +165,9 @@ TEST(VtuFile, every_damage_gets_a_sentence) {
     EXPECT_THAT(said, HasSubstr("body.vtu"));
     EXPECT_THAT(said, HasSubstr(sentence));
   };
-  expect("", "no well-formed XML");
-  expect(good.substr(0, good.size() / 2), "no well-formed XML");
-  expect("<VTKFile type=\"ImageData\"/>", "no VTKFile of type UnstructuredGrid");
+  expect("", "not well-formed XML");
+  expect(good.substr(0, good.size() / 2), "not well-formed XML");
+  expect("<VTKFile type=\"ImageData\"/>", "not a VTKFile of type UnstructuredGrid");
   expect("<!DOCTYPE a [<!ENTITY b \"c\">]><VTKFile type=\"UnstructuredGrid\"/>", "a document type");
   expect(vtu_changed(good, "NumberOfPoints=\"27\"", "NumberOfPoints=\"28\""), "has 81 values, expected 84");
   expect(vtu_changed(good, "NumberOfPoints=\"27\"", "NumberOfPoints=\"26\""), "more than 78 values");
@@ -204,8 +204,8 @@ TEST(VtuFile, binary_data_that_does_not_hold_what_it_says_is_refused) {
   VtkWriter packed{.packed = true, .raw = false, .appended = false, .appendix = {}, .block = 100};
   text = packed.file<std::uint32_t>(mesh);
   EXPECT_THAT(vtu_refusal(vtu_changed(text, "format=\"binary\">\n", "format=\"binary\">\n!")),
-              HasSubstr("no base64"));
-  // Any single letter changed is either told or changes a value; it never brings the reader down.
+              HasSubstr("not base64"));
+  // Any changed letter is either reported or changes a value; it never crashes the reader.
   const std::size_t begin = text.find("Float32");
   for (std::size_t at = begin; at < text.size(); at += 7) {
     std::string other = text;

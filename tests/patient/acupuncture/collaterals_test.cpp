@@ -1,4 +1,4 @@
-// The fifteen collaterals against the rules that they follow.
+// The fifteen collaterals against their rules.
 #include "patient/acupuncture/collaterals.h"
 
 #include <map>

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 
-// The 361 points on synthetic bodies, against a second implementation, and against what anatomy says.
+// The 361 points on synthetic bodies, against a second implementation, and against anatomy.
 
 namespace bodkin_test {
 namespace {
@@ -61,7 +61,7 @@ TEST(Placement, every_point_lies_on_the_skin_and_no_two_at_one_place) {
   }
 }
 
-// Statements of the standard that no row of the table says.
+// Statements of the standard that are not in the table.
 TEST(Placement, points_lie_where_the_standard_says_they_meet_others) {
   const Atlas& atlas = usual_body();
   const auto at = [&](const char* code) { return atlas.find(code)->place; };

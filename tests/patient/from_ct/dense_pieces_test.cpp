@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// What is as dense as bone and is none: on a body whose contents are known.
+// Tissue as dense as bone but not bone, in a body with known contents.
 
 namespace bodkin {
 
@@ -109,7 +109,7 @@ TEST(DensePieces, an_enhanced_vessel_that_touches_bone_is_a_vessel_and_the_bone_
   EXPECT_THAT(patient.notes, Contains(HasSubstr("Contrast that touches bone")));
 }
 
-// A vertebral body with dense marrow and the same brightness as contrast, thin cortex and all, stays bone.
+// A vertebral body with dense marrow as bright as contrast, including its thin cortex, remains bone.
 TEST(DensePieces, dense_marrow_in_a_shell_or_in_a_short_block_stays_bone) {
   const CtVolume ct = body_with([&](const Vec3& p) -> std::optional<int> {
     const double off = std::max(std::abs(p.x() - 80), std::abs(p.y() - 110));

@@ -33,7 +33,7 @@ std::size_t set_voxels(const MaskVolume& mask) {
   return static_cast<std::size_t>(std::count(mask.voxels.begin(), mask.voxels.end(), 1));
 }
 
-// Two balls of 400 HU in water, joined by nothing.
+// Two unconnected balls of 400 HU in water.
 anatomy::CtVolume two_balls() {
   return filled_volume<std::int16_t>(cube_grid(40, 1.0), [](const Vec3& p) {
     const bool first = (p - Vec3(10, 20, 20)).norm() <= 6.0, second = (p - Vec3(30, 20, 20)).norm() <= 6.0;
@@ -111,7 +111,7 @@ TEST(LabelFilters, smoothing_keeps_planes_and_takes_specks_and_holes) {
   mask.at(24, 24, 8) = 0;   // a hole in the bone
   const MaskVolume smooth = smoothed(mask, 1.5);
   EXPECT_EQ(smooth.voxels, half.voxels);
-  // A ball keeps its volume but for the shrinking that its curvature brings: sigma^2 / r.
+  // A ball keeps its volume except for the shrinkage by curvature: sigma^2 / r.
   const MaskVolume ball = filled_volume<std::uint8_t>(
       grid, [](const Vec3& p) { return static_cast<std::uint8_t>((p - Vec3(19, 19, 19)).norm() <= 12.0 ? 1 : 0); });
   const double expected = 4.0 / 3.0 * M_PI * std::pow(12.0 - 1.0 / 12.0, 3) / std::pow(0.8, 3);

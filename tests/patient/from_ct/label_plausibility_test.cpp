@@ -14,7 +14,7 @@
 #include "io/label_scheme.h"
 #include "io/tissue_library_file.h"
 
-// Labels that cannot mean what their table says: of another numbering, shifted against the CT, or unlike their names.
+// Labels that contradict their table: of another numbering, shifted against the CT, or unlike their names.
 
 namespace bodkin {
 

@@ -8,8 +8,8 @@
 #include "core/random.h"
 #include "io/tissue_library_file.h"
 
-// The layers behind the dural sac as the CT shows them: on canals made by hand, and on synthetic patients of thick
-// slices and noise against what they are truly made of.
+// The layers behind the dural sac as the CT shows them: on canals made by hand, and on synthetic patients with thick
+// slices and noise against their true tissues.
 
 namespace bodkin {
 

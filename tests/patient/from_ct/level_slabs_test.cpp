@@ -8,8 +8,8 @@
 
 #include "core/random.h"
 
-// Axial slabs of every shared CT, as people crop them: no path above L2/L3, none in cord, every level that is named
-// is named rightly. A dozen slabs chosen by a seed; all of them with BODKIN_ALL_SLABS=1 (scripts/level_slabs.sh).
+// Axial slabs of every shared CT, as users crop them: no path above L2/L3, none in cord, every named level is
+// correct. A dozen slabs chosen by a seed; all of them with BODKIN_ALL_SLABS=1 (scripts/level_slabs.sh).
 
 namespace bodkin {
 

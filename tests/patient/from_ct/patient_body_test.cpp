@@ -7,7 +7,7 @@
 #include "core/random.h"
 
 // The lattice of tissues, the surface of the body and the classes of HU: on phantoms with a known answer, and on real
-// CT with the traps that real CT has.
+// CT with its pitfalls.
 
 namespace bodkin {
 

@@ -15,7 +15,7 @@
 #include "io/images/label_placement.h"
 #include "io/label_scheme.h"
 
-// What a needle crosses in a patient, for the tests of how patients are built.
+// The tissues crossed by a needle in a patient, for tests of building patients.
 
 namespace bodkin::test {
 
@@ -40,7 +40,7 @@ inline std::vector<Crossing> crossings(const TissueVolume& tissues, const Needle
   return found;
 }
 
-// Depth at which a tissue is first met; -1 when it never is.
+// Depth at which a tissue is first met; -1 if never.
 inline double first_of(const std::vector<Crossing>& way, TissueId id) {
   const auto found = std::find_if(way.begin(), way.end(), [&](const Crossing& c) { return c.tissue == id; });
   return found == way.end() ? -1.0 : found->from;
@@ -83,7 +83,7 @@ inline RealPatient build_real(const std::filesystem::path& data, const std::stri
   return patient;
 }
 
-// One of the trajectories that come with the real data.
+// One of the trajectories supplied with the real data.
 inline NeedlePath trajectory(const std::filesystem::path& data, const std::string& set, const std::string& name) {
   const auto point = [](const nlohmann::json& list) { return Vec3(list.at(0), list.at(1), list.at(2)); };
   for (const auto& entry : nlohmann::json::parse(std::ifstream(data / "trajectories.json"))) {

@@ -240,8 +240,8 @@ TEST(Thorax, a_spine_close_below_lung_is_not_lumbar) {
   EXPECT_LT(test::landmark(overruled.landmarks, "L2_L3").z(), 1e6) << "the user's word overrules the guard";
 }
 
-// Random needles about a planned path: whichever meets no bone first meets flavum before epidural space, and no
-// fluid but through dura.
+// Random needles about a planned path: any needle that avoids bone meets flavum before epidural space, and fluid only
+// through dura.
 void expect_no_leaks(const TissueVolume& tissues, const NeedlePath& path, std::uint64_t seed) {
   Random random(seed);
   int reached = 0;
@@ -286,7 +286,7 @@ TEST_P(Synthetic, the_construction_finds_the_layers_where_they_truly_are) {
     EXPECT_LT((test::landmark(labelled.landmarks, name) - test::landmark(truth.landmarks, name)).norm(), 4.0) << name;
   }
   ASSERT_TRUE(labelled.path.has_value());
-  // The planned path does in the true anatomy what a puncture should.
+  // The planned path is a correct puncture in the true anatomy.
   const auto planned = crossings(truth.tissues, *labelled.path);
   EXPECT_LT(first_bone(planned), 0.0);
   EXPECT_EQ(planned.front().tissue, tissue::skin);

@@ -156,7 +156,7 @@ TEST(RealData, a_tilted_gantry_is_resampled_with_a_note_and_keeps_its_hounsfield
   EXPECT_NEAR(image.ct.grid.size[1], 512 + 15 * 2.5 * std::sin(18.5 * 3.14159265 / 180.0) / 0.482421875, 1.5);
   EXPECT_GE(range_of(image.ct).first, -1024);
   EXPECT_LE(range_of(image.ct).second, 791);
-  // A slice by itself and the same slice in the resampled volume show the same HU at the same place in the patient.
+  // A single slice and the same slice in the resampled volume show the same HU at the same place in the patient.
   const CtVolume slice = read_ct(data / "dicom_gantry_tilt_phantom/series/I280").ct;
   double worst = 0.0;
   int inside = 0;

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 
-// Names of interspaces from what a spine shows: counted from both ends, by labels, by the user's word, or not at all.
+// Names of interspaces: counted from both ends, by labels, by the user's statement, or none.
 
 namespace bodkin::patient {
 namespace {

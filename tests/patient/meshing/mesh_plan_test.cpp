@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "patient/meshing/meshable_tissues.h"
+#include "patient/synthetic/lumbar.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(MeshPlan, edges_are_fine_in_the_corridor_and_grow_steadily_away_from_it) {
   const TissueVolume tissues = layered_block();
   MeshSettings settings;
   settings.corridor_radius = 15.0;
-  settings.hold_layers = false;
+  settings.preserve_layers = false;
   const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
   const Grid& grid = plan.tissues.grid;
   const std::vector<float> edges = meshable_tissues(plan, 1.0).edges;
@@ -87,7 +88,7 @@ TEST(MeshPlan, the_box_ends_where_it_is_far_from_the_path) {
   const Grid& grid = plan.tissues.grid;
   EXPECT_LE(grid.size[0], 54);
   EXPECT_GE(grid.size[0], 50);
-  // The tissues lie where they lay.
+  // The tissues are unmoved.
   for (const Vec3& at : {Vec3(3, -1, 2), Vec3(-20, -22, 10), Vec3(0, -40, 0)}) {
     EXPECT_EQ(nearest(plan.tissues, at, tissue::air), nearest(tissues, at, tissue::air));
   }
@@ -100,7 +101,7 @@ TEST(MeshPlan, the_box_ends_where_it_is_far_from_the_path) {
 
 TEST(MeshPlan, thin_skin_becomes_what_is_below_it_and_thick_bone_stays) {
   MeshSettings settings;
-  settings.hold_layers = false;
+  settings.preserve_layers = false;
   settings.corridor_radius = 15.0;
   const MeshPlan plan = plan_mesh(layered_block(), straight_in, settings);
   const MeshableTissues merged = meshable_tissues(plan, 1.5);
@@ -142,7 +143,7 @@ TEST(MeshPlan, layers_of_the_path_are_those_of_the_voxels) {
 TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_rest) {
   MeshSettings settings;
   settings.corridor_radius = 15.0;
-  settings.hold_layers = false;
+  settings.preserve_layers = false;
   const TissueVolume tissues = block_with_dura();
   const MeshPlan lax = plan_mesh(tissues, straight_in, settings);
   const MeshableTissues coarse = meshable_tissues(lax, 1.5);
@@ -150,7 +151,7 @@ TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_r
   ASSERT_EQ(lost.size(), 2U);
   EXPECT_EQ(lost[0].tissue, tissue::skin);
   EXPECT_EQ(lost[1].tissue, tissue::dura);
-  settings.hold_layers = true;
+  settings.preserve_layers = true;
   const MeshPlan plan = plan_mesh(tissues, straight_in, settings);
   for (const double scale : {1.0, 1.5, 4.0}) {
     const MeshableTissues held = meshable_tissues(plan, scale);
@@ -162,6 +163,48 @@ TEST(MeshPlan, held_layers_stay_where_the_path_crosses_them_however_coarse_the_r
     EXPECT_NEAR(edge, 1.0F, 0.11F) << scale;
   }
   EXPECT_GT(expected_nodes(meshable_tissues(plan, 4.0)), 2.0 * expected_nodes(meshable_tissues(lax, 4.0)));
+}
+
+TEST(MeshPlan, the_surroundings_of_the_layers_tell_how_coarse_the_whole_may_be) {
+  const TissueLibrary library = default_tissue_library();
+  const auto depths = [](const std::vector<PathLayer>& layers) {
+    std::vector<double> found;
+    for (const PathLayer& layer : layers) found.push_back(layer.depth);
+    return found;
+  };
+  int lost_layers_found = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 11}) {
+    SCOPED_TRACE(seed);
+    LumbarParameters parameters;
+    parameters.seed = seed;
+    parameters.spacing = 2.5;
+    const SyntheticPatient torso = synthesize_lumbar(parameters, library);
+    const MeshPlan plan = plan_mesh(torso.tissues, torso.path, {});
+    const MeshPlan part = around_layers(plan);
+    EXPECT_LT(5 * part.border_edges.size(), plan.border_edges.size());
+    for (const double scale : {0.5, 1.0, 2.0, 8.0}) {
+      const std::vector<double> lost = depths(lost_layers(plan, meshable_tissues(plan, scale)));
+      EXPECT_EQ(depths(lost_layers(part, meshable_tissues(part, scale))), lost) << scale;
+      lost_layers_found += static_cast<int>(lost.size());
+    }
+  }
+  EXPECT_GT(lost_layers_found, 0);
+}
+
+TEST(MeshPlan, the_surroundings_of_the_layers_have_the_edges_of_the_whole) {
+  const MeshPlan plan = plan_mesh(block_with_dura(), straight_in, {});
+  const MeshPlan part = around_layers(plan);
+  const Grid &whole = plan.tissues.grid, &grid = part.tissues.grid;
+  for (const Vec3& place : {Vec3(0.5, -0.5, 0.5), Vec3(-10.5, -10.5, 7.5), Vec3(20.5, -22.5, -20.5)}) {
+    const auto at = [&place](const Grid& in) {
+      const Vec3 index = in.to_index(place).array().round();
+      return in.offset(static_cast<int>(index.x()), static_cast<int>(index.y()), static_cast<int>(index.z()));
+    };
+    EXPECT_EQ(part.tissues.voxels[at(grid)], plan.tissues.voxels[at(whole)]);
+    EXPECT_EQ(part.border_edges[at(grid)], plan.border_edges[at(whole)]);
+    EXPECT_EQ(part.inner_edges[at(grid)], plan.inner_edges[at(whole)]);
+    EXPECT_EQ(part.preserving_edges[at(grid)], plan.preserving_edges[at(whole)]);
+  }
 }
 
 TEST(MeshPlan, a_stiff_skin_is_held_as_far_around_the_path_as_it_bends) {
@@ -214,7 +257,7 @@ TEST(MeshPlan, a_thin_shell_of_bone_joins_the_bone_in_it_and_not_the_muscle_arou
     }
   }
   MeshSettings settings;
-  settings.hold_layers = false;
+  settings.preserve_layers = false;
   settings.corridor_radius = 15.0;
   const MeshableTissues merged = meshable_tissues(plan_mesh(tissues, straight_in, settings), 1.5);
   for (const double y : {-20.5, -21.5, -22.5, -23.5}) {

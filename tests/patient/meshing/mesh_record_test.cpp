@@ -56,9 +56,9 @@ TEST(MeshRegions, without_a_tissue_are_refused_by_name) {
               HasSubstr("r.csv: there is no row for region 2 ('fat tissue')"));
   EXPECT_THAT(region_refusal(foreign, "2,a,bone,no\n3,b,fat,no\n"), HasSubstr("is 'bone', expected the name of one"));
   foreign.regions[5] = 200;
-  EXPECT_THAT(region_refusal(foreign, ""), HasSubstr("body.msh: region 200 is the id of no tissue"));
+  EXPECT_THAT(region_refusal(foreign, ""), HasSubstr("body.msh: region 200 is not the id of a tissue"));
   foreign.regions[5] = 0;
-  EXPECT_THAT(region_refusal(foreign, ""), HasSubstr("region 0 is the id of no tissue"));
+  EXPECT_THAT(region_refusal(foreign, ""), HasSubstr("region 0 is not the id of a tissue"));
 }
 
 TEST(MeshRegions, inside_out_elements_are_turned_and_flat_ones_refused_with_their_place) {
@@ -118,7 +118,7 @@ TEST(MeshRecord, the_fingerprint_follows_from_everything_that_the_mesh_does) {
     if (change == 1) settings.fine += 0.1;
     if (change == 2) settings.coarse += 0.1;
     if (change == 3) settings.corridor_radius += 0.1;
-    if (change == 4) settings.hold_layers = false;
+    if (change == 4) settings.preserve_layers = false;
     others.push_back(mesh_made_from(tissues, path, settings));
   }
   tissues.at(1, 2, 3) = tissue::muscle;

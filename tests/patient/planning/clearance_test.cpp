@@ -102,8 +102,8 @@ TEST(Obstacles, the_organ_that_holds_the_lesion_may_be_entered_and_others_not) {
   const Obstacles obstacles = find_obstacles(made.view(), rules, {0, 0, 0});
   EXPECT_EQ(kind_named(obstacles, "liver"), nullptr);
   EXPECT_NE(kind_named(obstacles, "kidney_left"), nullptr);
-  EXPECT_FALSE(room_along(obstacles, straight_to({0, 0, 0}), 8.0).blocked);
-  EXPECT_TRUE(room_along(obstacles, straight_to({-30, 0, 0}), 8.0).blocked);
+  EXPECT_FALSE(clearance_along(obstacles, straight_to({0, 0, 0}), 8.0).blocked);
+  EXPECT_TRUE(clearance_along(obstacles, straight_to({-30, 0, 0}), 8.0).blocked);
 }
 
 TEST(Obstacles, a_target_close_to_something_lowers_its_margin_but_never_the_cords) {

@@ -68,7 +68,7 @@ inline void MadeUpPatient::name(std::uint16_t label, const std::string& name, bo
   table_.push_back(structure);
 }
 
-// Tells where a path would lie that goes straight in from behind (+y) to `target`.
+// A path straight in from behind (+y) to `target`.
 inline anatomy::NeedlePath straight_to(const Vec3& target) {
   return {{target.x(), 49.5, target.z()}, target};
 }

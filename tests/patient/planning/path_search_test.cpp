@@ -70,12 +70,12 @@ TEST(PathSearch, a_blocked_target_gives_none_and_says_why) {
   EXPECT_THAT(search.why_not, HasSubstr("go into bone"));
   EXPECT_GT(search.looked_at, 1000U);
 
-  PathWishes wishes;
-  wishes.longest = 30.0;
-  EXPECT_THAT(search_paths(made.view(), find_obstacles(made.view(), {}, {0, 20, 0}), {0, 0, 30}, wishes).why_not,
+  PathCriteria criteria;
+  criteria.longest = 30.0;
+  EXPECT_THAT(search_paths(made.view(), find_obstacles(made.view(), {}, {0, 20, 0}), {0, 0, 30}, criteria).why_not,
               ::testing::IsEmpty());  // 20 mm under the head's side
-  wishes.longest = 10.0;
-  EXPECT_THAT(search_paths(made.view(), find_obstacles(made.view(), {}, {0, 20, 0}), {0, 20, 0}, wishes).why_not,
+  criteria.longest = 10.0;
+  EXPECT_THAT(search_paths(made.view(), find_obstacles(made.view(), {}, {0, 20, 0}), {0, 20, 0}, criteria).why_not,
               HasSubstr("longer than the 10 mm that the needle reaches"));
   EXPECT_THAT(search_paths(made.view(), obstacles, {0, 10, 0}, {}).why_not, HasSubstr("The target lies in bone"));
   EXPECT_THAT(search_paths(made.view(), obstacles, {0, 58, 0}, {}).why_not, HasSubstr("not lie in the body"));
@@ -137,7 +137,7 @@ TEST_F(SyntheticPlan, a_lumbar_puncture_is_proposed_from_behind_between_the_vert
   ASSERT_EQ(level_problem(view(), rules, target), std::nullopt);
   const auto begin = std::chrono::steady_clock::now();
   const Obstacles obstacles = find_obstacles(view(), rules, target);
-  const PathSearch search = search_paths(view(), obstacles, target, wishes_for({}, rules));
+  const PathSearch search = search_paths(view(), obstacles, target, criteria_for({}, rules));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_LT(seconds, 20.0);
   ASSERT_FALSE(search.proposals.empty()) << search.why_not;

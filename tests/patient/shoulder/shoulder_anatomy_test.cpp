@@ -42,7 +42,7 @@ Vec3 landmark_of(const SyntheticShoulder& made, const std::string& name) {
   return Vec3::Zero();
 }
 
-// The tissues on a line, each once, in the order in which they are met.
+// The tissues on a line, each once, in order.
 std::vector<anatomy::TissueId> met(const SyntheticShoulder& made, double beyond_target) {
   std::vector<anatomy::TissueId> found;
   const Vec3 direction = made.path.direction();
@@ -167,8 +167,8 @@ TEST(ShoulderAnatomy, every_varied_shoulder_has_a_clear_way_into_its_joint) {
   }
 }
 
-// Of varied shoulders: the needle meets skin, fat and muscle alone, ends beside the nerve, and never comes
-// nearer to it than a millimetre.
+// In varied shoulders the needle meets only skin, fat and muscle, ends beside the nerve, and stays at least a
+// millimetre from it.
 TEST(ShoulderAnatomy, a_block_ends_beside_the_suprascapular_nerve_and_its_way_is_free) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);

@@ -1,4 +1,4 @@
-// The synthetic patient as an anatomist would check it: what is where, how thick, how big.
+// The synthetic patient as checked by an anatomist: places, thicknesses, sizes.
 #include <algorithm>
 #include <array>
 #include <map>

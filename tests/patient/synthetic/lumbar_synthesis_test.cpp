@@ -113,7 +113,7 @@ TEST(LumbarSynthesis, the_planned_path_keeps_clear_of_bone_for_every_flexed_pati
 TEST(LumbarSynthesis, voxels_along_the_planned_path_hold_no_bone_and_end_in_the_fluid) {
   const TissueLibrary library = default_tissue_library();
   Random random(21);
-  // The plain build looks at the anatomy of many, a sanitizer at the memory of a few.
+  // The plain build checks the anatomy of many, a sanitizer the memory of a few.
   constexpr int coarse = sanitized ? 3 : 30, fine = sanitized ? 0 : 3;
   for (int n = 0; n < coarse + fine; ++n) {
     LumbarParameters parameters = random_parameters(random);

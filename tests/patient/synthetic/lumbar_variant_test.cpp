@@ -1,4 +1,4 @@
-// Patients who are harder than usual: curved spines, calcified ligaments, and whom a seed draws.
+// Difficult patients: curved spines, calcified ligaments, and random patients by seed.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -33,7 +33,7 @@ SyntheticPatient back_with(double scoliosis, double calcification, double spacin
   return synthesize_lumbar(parameters, with_calcified_ligament(default_tissue_library()));
 }
 
-// How a vertebra stands, by its voxels alone, as one would measure it in a frontal picture.
+// The pose of a vertebra, only from its voxels, as measured in a frontal image.
 struct Stance {
   double inclination = 0.0;  // degrees of the upper endplate: above 0 its left side is lower
   double body_x = 0.0;       // mm, of the middle of the body
@@ -105,7 +105,7 @@ TEST(LumbarVariant, a_scoliosis_has_the_angle_of_Cobb_that_was_asked_for) {
   EXPECT_LT(apex.body_x - before.body_x, 20.0);
   EXPECT_LT(stance_of(right.structures, 29).body_x - before.body_x, -6.0);
   EXPECT_NEAR(stance_of(left.structures, 26).body_x, stance_of(straight.structures, 26).body_x, 1.5);
-  // The spinous processes turn to the hollow side.
+  // The spinous processes turn to the concave side.
   EXPECT_LT(apex.process_x - apex.body_x, before.process_x - before.body_x - 5.0);
 }
 

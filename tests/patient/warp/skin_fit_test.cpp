@@ -1,4 +1,4 @@
-// A patient in the skin of another body: elliptic cylinders, whose skins are known.
+// A patient in the skin of another body: elliptic cylinders with known skins.
 #include "patient/warp/skin_fit.h"
 
 #include <cmath>
