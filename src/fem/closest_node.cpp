@@ -12,10 +12,10 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double farthest_tip = 1e4;       // mm; beyond, a sensor failed
+constexpr double farthest_tip = 1e4;       // mm; farther, a sensor failed
 constexpr double same_channel = 1.0;       // mm between entries of one channel ...
 constexpr double same_direction = 0.9986;  // ... and cosine of 3 degrees
-constexpr double nearer = 0.9;             // of the distance to the node that has the tip, for another to take over
+constexpr double nearer = 0.9;             // of the distance to the tip's node, at which another takes over
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void ClosestNodeContact::set_numbers(const ContactNumbers& numbers) noexcept {
   settings_.capture_radius = numbers.capture_radius;
   settings_.relaxation = numbers.time;
   settings_.presliding = numbers.presliding;
-  known_ = 0;  // the friction of the layers is summed up anew
+  known_ = 0;  // the friction of the layers is summed anew
 }
 
 void ClosestNodeContact::reset() noexcept {
@@ -98,8 +98,7 @@ Vec3 ClosestNodeContact::push(const Vec3& tip) const noexcept {
   return stiffness_scale(node_) * (own_compliance(node_).inverse() * (tip - body_.nodes[node_] - offset_));
 }
 
-// Of the tissues on the line that are not open yet and lie before `depth`, the one that takes most force; air when
-// nothing is known of them.
+// Of the closed tissues on the line before `depth`, the one with the greatest force; air when none is known.
 anatomy::TissueId ClosestNodeContact::firmest_before(double depth) const noexcept {
   anatomy::TissueId firmest = anatomy::tissue::air;
   for (auto i = static_cast<std::size_t>(std::max(0.0, passed_) / layer_step); i < tissues_along_; ++i) {
@@ -109,7 +108,7 @@ anatomy::TissueId ClosestNodeContact::firmest_before(double depth) const noexcep
   return firmest;
 }
 
-// The line is open to `depth`, and to the end of the layer of `tissue` there.
+// Opens the line to `depth`, and to the end of the layer of `tissue` there.
 void ClosestNodeContact::pass(double depth, anatomy::TissueId tissue) noexcept {
   deepest_ = std::max(deepest_, depth + layer_step);
   passed_ = std::max(passed_, depth + layer_step);
@@ -119,7 +118,7 @@ void ClosestNodeContact::pass(double depth, anatomy::TissueId tissue) noexcept {
   }
 }
 
-// Which node the tip pushes, and where that node thinks the tip was when it met it.
+// The node that the tip pushes, and the tip's position, as seen by the node, when they met.
 void ClosestNodeContact::follow(const Vec3& tip) noexcept {
   const std::uint32_t best = closest(tip, settings_.capture_radius, true);
   if (node_ == none) {
@@ -135,7 +134,7 @@ void ClosestNodeContact::follow(const Vec3& tip) noexcept {
   }
 }
 
-// N that the shaft can bear by friction when the tip is at `depth`; looks up tissues that the tip reaches first.
+// N that friction can exert on the shaft when the tip is at `depth`; looks up tissues newly reached by the tip.
 double ClosestNodeContact::shaft_limit(double depth) noexcept {
   const double layer = settings_.layer;
   const double place = std::clamp(depth / layer, 0.0, static_cast<double>(limits_.size() - 1));
@@ -173,7 +172,7 @@ ClosestNodeForce ClosestNodeContact::step(const Vec3& tip) noexcept {
     if (tissues_[between].puncture_force > tissues_[holds].puncture_force) holds = between;
     const double strength = tissues_[holds].puncture_force;
     if (force_.dot(direction_) < 0.0) {
-      node_ = none;  // it lets go; what it meets next it meets without force
+      node_ = none;  // it lets go; the next contact begins without force
       force_.setZero();
     } else if (out.tip_force >= strength) {
       if (strength > 0.0) out.puncture = TissuePuncture{holds, depth, out.tip_force};

@@ -57,7 +57,7 @@ void ContactFactor::backward(double* values) noexcept {
   upper_triangular::solve({factor_.data(), stride_, rows_}, values);
 }
 
-// The Schur complement of S + F for the last constraint; `scratch_` holds its columns of U.
+// The Schur complement of S + F for the last constraint; `scratch_` contains its columns of U.
 void ContactFactor::find_corner(std::size_t first, std::size_t count) noexcept {
   corner_.setZero();
   const auto node = static_cast<Eigen::Index>(3) * static_cast<Eigen::Index>(row_of_[first].node);
@@ -140,7 +140,7 @@ bool ContactFactor::append_solved(std::uint32_t node, const ConstraintDirections
   return add_columns(node, directions, compliance, depth);
 }
 
-// Appends the columns in `scratch_` to U, and the corner below them.
+// Appends to U the columns in `scratch_` and the corner below them.
 bool ContactFactor::add_columns(std::uint32_t node, const ConstraintDirections& directions, double compliance,
                                 double depth) noexcept {
   const auto count = static_cast<std::size_t>(directions.cols());

@@ -44,7 +44,7 @@ class ContactFactor {
   // >= 0, of a lateral constraint of a bending needle; negative for one along the needle.
   bool append(std::uint32_t node, const ConstraintDirections& directions, double compliance = 0.0,
               double depth = -1.0) noexcept;
-  // The same with given columns U^-T B^T S B + F, stride() apart, with room for stride() numbers each.
+  // As above, with given columns U^-T B^T S B + F, stride() apart, with room for stride() numbers each.
   bool append_solved(std::uint32_t node, const ConstraintDirections& directions, const double* columns,
                      double compliance, double depth) noexcept;
   // Removes the last constraint, if there is one.

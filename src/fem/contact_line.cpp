@@ -15,13 +15,13 @@ ContactLine::ContactLine(double spring, std::size_t most_held)
   body_.nodes.resize(most_points, Vec3::Zero());
   body_.tissues.resize(most_points, anatomy::tissue::air);
   body_.in_mesh.resize(most_points);
-  for (std::vector<HeldShare>& shares : on_held_) shares.resize(most_points);
+  for (std::vector<HeldFraction>& shares : on_held_) shares.resize(most_points);
   constexpr auto size = static_cast<Eigen::Index>(3 * most_points);
   body_.compliance = Eigen::MatrixXd::Zero(size, size);
   if (most_held > 0) other_ = body_.compliance;
 }
 
-void ContactLine::ask(const Vec3& entry, const Vec3& direction, std::span<const std::uint32_t> held) noexcept {
+void ContactLine::request(const Vec3& entry, const Vec3& direction, std::span<const std::uint32_t> held) noexcept {
   newest_.entry = entry;
   newest_.direction = direction;
   newest_.kept = 0;
@@ -29,25 +29,25 @@ void ContactLine::ask(const Vec3& entry, const Vec3& direction, std::span<const 
   newest_.is_coupling = false;
   newest_.held_count = std::min(held.size(), newest_.held.size());
   std::copy_n(held.begin(), newest_.held_count, newest_.held.begin());
-  ask_newest();
+  request_newest();
 }
 
-void ContactLine::ask_planned(const Vec3& entry, const Vec3& direction) noexcept {
+void ContactLine::request_planned(const Vec3& entry, const Vec3& direction) noexcept {
   newest_.entry = entry;
   newest_.direction = direction;
   newest_.kept = 0;
   newest_.is_planned = true;
   newest_.is_coupling = false;
   newest_.held_count = 0;
-  ask_newest();
+  request_newest();
 }
 
-void ContactLine::lead_on(const Vec3& place, const Vec3& direction, std::size_t kept) noexcept {
+void ContactLine::continue_from(const Vec3& place, const Vec3& direction, std::size_t kept) noexcept {
   newest_.entry = place;
   newest_.direction = direction;
   newest_.kept = kept;
   newest_.is_coupling = false;
-  ask_newest();
+  request_newest();
 }
 
 void ContactLine::couple(std::span<const std::uint32_t> held, std::size_t points) noexcept {
@@ -55,7 +55,7 @@ void ContactLine::couple(std::span<const std::uint32_t> held, std::size_t points
   newest_.is_coupling = true;
   newest_.held_count = std::min(held.size(), newest_.held.size());
   std::copy_n(held.begin(), newest_.held_count, newest_.held.begin());
-  ask_newest();
+  request_newest();
 }
 
 bool ContactLine::is_coupled() const noexcept {
@@ -65,29 +65,29 @@ bool ContactLine::is_coupled() const noexcept {
 bool ContactLine::wait_until_coupled() const noexcept {
   for (;;) {
     const std::uint64_t seen = coupled_.load(std::memory_order_acquire);
-    if (seen / 2 == newest_.number || asked_.load(std::memory_order_relaxed) == closed) return is_coupled();
+    if (seen / 2 == newest_.number || requested_.load(std::memory_order_relaxed) == closed) return is_coupled();
     coupled_.wait(seen, std::memory_order_acquire);
   }
 }
 
-void ContactLine::take_coupled() noexcept {
+void ContactLine::apply_coupling() noexcept {
   turn_ = 1 - turn_;
 }
 
-void ContactLine::ask_newest() noexcept {
-  std::uint64_t before = asked_.load(std::memory_order_relaxed);
+void ContactLine::request_newest() noexcept {
+  std::uint64_t before = requested_.load(std::memory_order_relaxed);
   if (before == closed) return;
   newest_.number = static_cast<std::uint32_t>(before + 1);
   newest_.turn = newest_.is_coupling ? 1 - turn_ : turn_;
   wanted_.write(newest_);
-  // Fails only when the line has been closed meanwhile.
-  if (asked_.compare_exchange_strong(before, newest_.number, std::memory_order_acq_rel)) asked_.notify_all();
+  // Fails only if the line has been closed meanwhile.
+  if (requested_.compare_exchange_strong(before, newest_.number, std::memory_order_acq_rel)) requested_.notify_all();
 }
 
 ContactLine::Progress ContactLine::progress() const noexcept {
-  const std::uint64_t asked = asked_.load(std::memory_order_relaxed);
+  const std::uint64_t requested = requested_.load(std::memory_order_relaxed);
   const std::uint64_t now = progress_.load(std::memory_order_acquire);
-  if (now >> 32U != asked) return {0, asked == closed};
+  if (now >> 32U != requested) return {0, requested == closed};
   return {static_cast<std::size_t>(now & points_mask), (now & complete_bit) != 0};
 }
 
@@ -114,23 +114,23 @@ ContactLine::Progress ContactLine::wait_for(std::size_t points) const noexcept {
 
 std::optional<ContactLine::Line> ContactLine::next_line() noexcept {
   for (;;) {
-    const std::uint64_t now = asked_.load(std::memory_order_acquire);
+    const std::uint64_t now = requested_.load(std::memory_order_acquire);
     if (now == closed) return {};
     if (now > served_) {
-      const Line line = wanted_.read();  // this one, or one that is about to be asked for
+      const Line line = wanted_.read();  // this one, or the next one requested
       served_ = line.number;
       const std::uint64_t complete = line.is_coupling ? complete_bit : 0;
       progress_.store(std::uint64_t{line.number} << 32U | complete | line.kept, std::memory_order_release);
       return line;
     }
-    asked_.wait(now, std::memory_order_acquire);
+    requested_.wait(now, std::memory_order_acquire);
   }
 }
 
 bool ContactLine::append(const Line& line, const ContactPoint& point) noexcept {
   const std::uint64_t now = progress_.load(std::memory_order_relaxed);
   const auto at = static_cast<std::size_t>(now & points_mask);
-  if (asked_.load(std::memory_order_acquire) > line.number || at == most_points || point.between.size() != at + 1)
+  if (requested_.load(std::memory_order_acquire) > line.number || at == most_points || point.between.size() != at + 1)
     return false;
   write(line, at, point);
   progress_.store(now + 1, std::memory_order_release);
@@ -156,7 +156,7 @@ void ContactLine::write(const Line& line, std::size_t at, const ContactPoint& po
 }
 
 bool ContactLine::put(const Line& line, std::size_t at, const ContactPoint& point) noexcept {
-  if (asked_.load(std::memory_order_acquire) > line.number || at >= most_points || point.between.size() != at + 1)
+  if (requested_.load(std::memory_order_acquire) > line.number || at >= most_points || point.between.size() != at + 1)
     return false;
   write(line, at, point);
   return true;
@@ -175,9 +175,9 @@ void ContactLine::complete(const Line& line) noexcept {
 }
 
 void ContactLine::close() noexcept {
-  asked_.store(closed, std::memory_order_release);
-  asked_.notify_all();
-  // Other values, so that waiting ends.
+  requested_.store(closed, std::memory_order_release);
+  requested_.notify_all();
+  // Values that differ, so that waiting ends.
   progress_.fetch_xor(std::uint64_t{1} << 63U, std::memory_order_acq_rel);
   progress_.notify_all();
   coupled_.fetch_xor(std::uint64_t{1} << 63U, std::memory_order_acq_rel);

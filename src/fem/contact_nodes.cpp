@@ -9,7 +9,7 @@ namespace {
 
 constexpr double contact_point_reach = 5.0;   // mm, between the line of contact points and the needle's
 constexpr double contact_point_before = 1.5;  // mm, before the entry
-constexpr double least_step = 1e-3;           // mm, from point to point of a line that has turned aside
+constexpr double least_step = 1e-3;           // mm between the points of a line that has turned aside
 
 }  // namespace
 

@@ -11,15 +11,15 @@ namespace bodkin::fem {
 
 // A contact point on the path of a needle.
 struct ContactNode {
-  std::uint32_t index = 0;  // in the body
+  std::uint32_t index = 0;  // index in the body
   anatomy::TissueId tissue = anatomy::tissue::air;
   double depth = 0.0;    // mm along the line, at rest; 0 for the first point, which represents the surface
   double length = 0.0;   // mm of the line that it represents, from its depth on; infinite for the last point
   bool resists = false;  // first point of a tissue whose puncture force is higher than that of the tissue before
 };
 
-// The contact points that a needle meets along a frozen line. They were made for a line, in the order of their depth:
-// each of them is met, at its depth along the needle's own, if that runs within 5 mm of it.
+// The contact points that a needle meets along a frozen line. They were computed for a line, in the order of their
+// depth: each is met at its depth along the needle's own line, if that runs within 5 mm of it.
 class ContactNodes {
  public:
   // Allocates memory for all points of the body.
@@ -27,11 +27,12 @@ class ContactNodes {
 
   // Finds the points along a line; the cost is linear in their number. Never throws or allocates.
   void begin(const Vec3& entry, const Vec3& direction, const ContactTissues& tissues) noexcept;
-  // The same for the contact points of exactly this line, which grow() appends as they become known; none at first.
+  // As begin(), for the contact points of exactly this line, which grow() appends as they become known; none at
+  // first.
   void begin_growing(const Vec3& entry, const Vec3& direction) noexcept;
-  // The first `known` points of the body are there now. True when some of them are new.
+  // The first `known` points of the body are complete. Returns whether some of them are new.
   bool grow(std::size_t known, const ContactTissues& tissues) noexcept;
-  // Removes those behind the first `count`, of a line that grow() appended to.
+  // Removes the points after the first `count` of a line that grow() appended to.
   void keep_first(std::size_t count) noexcept;
   void clear() noexcept { count_ = 0; }
 

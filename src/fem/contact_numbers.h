@@ -6,16 +6,16 @@
 
 namespace bodkin::fem {
 
-// What may change of a needle's contact with a deformable body while it goes on: nothing that body or contact points
-// are prepared with.
+// Numbers of a needle's contact with a deformable body that may change during the contact: none that body or contact
+// points are prepared with.
 struct ContactNumbers {
   ContactTissues tissues{};
   double capture_radius = 1.5;  // mm
-  double time = 0.030;          // s, in which the force of a puncture goes, or a punctured node goes back
-  double presliding = 1.0;      // N/mm, of ClosestNodeContact alone
+  double time = 0.030;          // s, in which the force of a puncture decays, or a punctured node returns
+  double presliding = 1.0;      // N/mm, only of ClosestNodeContact
 };
 
-// From numbers to others in equal steps, one a tick, so that no force jumps. Allocates nothing.
+// Changes from one set of numbers to another in equal steps, one per tick, so that no force jumps. Allocates nothing.
 class ContactChange {
  public:
   void begin(const ContactNumbers& from, const ContactNumbers& to, int steps) noexcept {
@@ -24,8 +24,8 @@ class ContactChange {
     steps_ = std::max(1, steps);
     step_ = 0;
   }
-  bool goes_on() const noexcept { return step_ < steps_; }
-  // Of the next tick.
+  bool is_active() const noexcept { return step_ < steps_; }
+  // The numbers of the next tick.
   const ContactNumbers& next() noexcept {
     if (++step_ >= steps_) return to_;
     const double share = static_cast<double>(step_) / steps_;
@@ -40,7 +40,7 @@ class ContactChange {
     now_.presliding = between(from_.presliding, to_.presliding);
     return now_;
   }
-  // At once, where nothing is touched.
+  // The final numbers at once, for when nothing is touched.
   const ContactNumbers& last() noexcept {
     step_ = steps_;
     return to_;

@@ -30,7 +30,7 @@ std::size_t in_threes(const Eigen::MatrixXf& columns) {
                    std::to_string(columns.cols()) + ", expected 3 rows a visible point and 3 columns a node");
 }
 
-// sum[i] += what six columns say.
+// sum[i] += six columns times their factors.
 BODKIN_PROCESSOR_CLONES
 void add_columns(const std::array<const float*, columns_at_once>& columns, const float* factors, std::size_t count,
                  float* __restrict sum) noexcept {
@@ -108,7 +108,7 @@ Mat3 DisplayField::between(std::size_t point, std::uint32_t node) const noexcept
 }
 
 void DisplayField::evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept {
-  // Columns and their factors; the last group is filled up with factors of zero.
+  // Columns and their factors; the last group is padded with factors of zero.
   std::array<std::size_t, 3 * NodeForces::capacity + columns_at_once> column;
   std::array<float, 3 * NodeForces::capacity + columns_at_once> factor;
   std::size_t used = 0;

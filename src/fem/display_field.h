@@ -13,39 +13,40 @@
 
 namespace bodkin::fem {
 
-// How the visible points of a body move by the forces of a needle: u = columns(nodes) f, the same operator as in the
-// tick, so that display and hand show one body. For a thread that draws; the tick hands it NodeForces through
-// LatestValue.
+// The displacement of the visible points of a body by the forces of a needle: u = columns(nodes) f, the same operator
+// as in the tick, so that display and hand show one body. For the display thread; the tick passes NodeForces to it
+// through LatestValue.
 class DisplayField {
  public:
-  // `columns`: 3 x points rows and 3 columns a node that has them, mm/N, single precision: displacement of every
-  // point (x y z in turn) by 1 N on the node. Throws InputError when rows or columns are not in threes, or none.
+  // `columns`: 3 x points rows and 3 columns for each node that has any, mm/N, single precision: displacement of
+  // every point (x, y, z) by 1 N on the node. Throws InputError when rows or columns are not multiples of three, or
+  // empty.
   explicit DisplayField(const Eigen::MatrixXf& columns);
-  // The same of some nodes only: 3 columns for each of `nodes` (each once), whose names are below `all`.
+  // As above, for some nodes only: 3 columns for each of `nodes` (each once), whose indices are below `all`.
   DisplayField(const Eigen::MatrixXf& columns, const std::vector<std::uint32_t>& nodes, std::size_t all);
-  // The same with columns that are zero until set_column(), and room for `spare` nodes more (take()).
+  // As above, with columns that are zero until set_column(), and room for `spare` more nodes (take()).
   DisplayField(std::size_t points, const std::vector<std::uint32_t>& nodes, std::size_t all, std::size_t spare = 0);
 
   // Column `index`, 0 to 3 x nodes() - 1; 3 x points() values. Not in parallel with evaluate().
   void set_column(std::size_t index, std::span<const float> column) noexcept;
-  // The spare place `which`, below spare(), has the three columns of `node` from now on, and no longer those of the
-  // node that it had. Not in parallel with evaluate().
+  // Gives the spare place `which`, below spare(), the three columns of `node` instead of those of its previous node.
+  // Not in parallel with evaluate().
   void take(std::size_t which, std::uint32_t node, const Eigen::Ref<const Eigen::MatrixXf>& columns);
-  // The node must be one of the `all`, and have no columns yet where take() gives it some.
+  // `node` must be below `all`, and must not have columns yet when take() adds it.
   bool knows(std::uint32_t node) const noexcept { return place_of(node) != none; }
   std::size_t all() const noexcept { return places_.size(); }
-  // mm/N: how a point moves by unit forces on a node that is known.
+  // mm/N: displacement of a point by unit forces on a known node.
   Mat3 between(std::size_t point, std::uint32_t node) const noexcept;
 
   std::size_t points() const noexcept { return points_; }
-  // That have columns, or a spare place for them.
+  // Number of nodes that have columns or a spare place for them.
   std::size_t nodes() const noexcept { return nodes_; }
   std::size_t spare() const noexcept { return spare_.size(); }
 
-  // mm, 3 x points() values, all of them written; forces on nodes without columns count nothing. Never throws,
+  // mm, 3 x points() values, all of them written; forces on nodes without columns are ignored. Never throws,
   // allocates or locks; several threads may call it at once.
   void evaluate(const NodeForces& forces, std::span<float> displacements) const noexcept;
-  // N, the sum of the forces on nodes without columns: what the picture leaves out.
+  // N, the sum of the forces on nodes without columns, which the display omits.
   double left_out(const NodeForces& forces) const noexcept;
 
  private:
@@ -59,7 +60,7 @@ class DisplayField {
   std::size_t points_, nodes_;
   std::size_t strips_, strip_length_;
   ZeroPages columns_;                  // strip by strip, in each all columns
-  std::vector<std::uint32_t> places_;  // by node: where its columns are, or none
+  std::vector<std::uint32_t> places_;  // by node: position of its columns, or none
   std::vector<std::uint32_t> spare_;   // by spare place, the last ones: its node, or none
 };
 

@@ -14,14 +14,14 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double farthest_pose = 1e4;         // mm; a position farther away is a sensor's fault
-constexpr double least_cosine = 0.2;          // between needle and line; below, the needle is not being inserted
+constexpr double farthest_pose = 1e4;         // mm; a position farther away is a sensor fault
+constexpr double least_cosine = 0.2;          // between needle and line; below it, the needle is not being inserted
 constexpr double least_friction = 1e-9;       // N; less counts as no friction
-constexpr double least_captured_part = 1e-6;  // of the full-capture length; below, there is no lateral constraint
+constexpr double least_captured_part = 1e-6;  // of the full-capture length; below it there is no lateral constraint
 constexpr double same_hole = 1.0;             // mm
-constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel may move
-constexpr int most_captures = 2;              // per tick; the others follow in the next
-constexpr double carry_time = 0.02;           // s, in which tissue that moves by itself covers most of a step of it
+constexpr std::size_t bevelled_nodes = 4;     // behind the tip, whose holes a bevel can move
+constexpr int most_captures = 2;              // per tick; the others follow in later ticks
+constexpr double carry_time = 0.02;           // s, in which tissue that moves by itself covers most of a step
 
 const anatomy::CondensedBody& checked_body(const anatomy::CondensedBody& body) {
   const std::size_t nodes = body.nodes.size();
@@ -78,14 +78,14 @@ void EmbeddedNeedle::set_numbers(const ContactNumbers& numbers) noexcept {
 
 void EmbeddedNeedle::reset() noexcept {
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
-  start(Vec3::Zero(), Vec3::UnitZ());  // reads nothing of the body, which may be growing
+  start(Vec3::Zero(), Vec3::UnitZ());  // reads no data of the body, which may be growing
   contact_nodes_.clear();
   begun_ = false;
   field_ = {};
   breath_ = {};
 }
 
-// mm, LPS, that the body moves a point by itself.
+// mm, LPS, displacement of a point by the body's own motion.
 Vec3 EmbeddedNeedle::goal(std::uint32_t point) const noexcept {
   Vec3 breathed = Vec3::Zero();
   if (breath_.field != nullptr)
@@ -133,7 +133,7 @@ Pose EmbeddedNeedle::carried_along_shaft() const noexcept {
     middle += line()[i].depth / count;
     moved += carried_[line()[i].index] / count;
   }
-  // Points at s from their middle: of all lines that along the sum of s x is nearest to them.
+  // Points at s from their middle: the closest of all lines runs along the sum of s x.
   const Vec3 along = frame_.col(0);
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < captured_; ++i) {
@@ -170,7 +170,7 @@ void EmbeddedNeedle::begin_growing(const Vec3& entry, const Vec3& direction,
   std::fill(punctured_.begin(), punctured_.end(), std::uint8_t{0});
 }
 
-// The first point takes the force of the provisional surface over, as far as the tip is deep enough for it.
+// The first point takes over the force of the provisional surface, as far as the tip is deep enough.
 void EmbeddedNeedle::extend(std::size_t points, bool complete) noexcept {
   surface_.is_missing = complete && points == 0;
   const bool first = line().empty();
@@ -190,7 +190,7 @@ void EmbeddedNeedle::keep_first(std::size_t points) noexcept {
   std::fill(punctured_.begin() + static_cast<std::ptrdiff_t>(line().size()), punctured_.end(), std::uint8_t{0});
 }
 
-// N, of a surface whose contact point is not there yet. Where there is none at all it fades.
+// N, of a surface whose contact point is not available yet. If there will be none, it fades.
 double EmbeddedNeedle::provisional_force() noexcept {
   if (!line().empty() || !(surface_.compliance > 0.0)) return 0.0;
   if (surface_.is_missing)
@@ -233,14 +233,14 @@ void EmbeddedNeedle::release_withdrawn() noexcept {
   }
 }
 
-// Sets where the tip touches the node in front of it: at the node's depth, or here if the tip is deeper already.
+// Sets the contact of the tip with the node in front: at the node's depth, or here if the tip is deeper already.
 void EmbeddedNeedle::place_tip_contact(double moved) noexcept {
   contacts_[captured_].slip = std::max(line()[captured_].depth, tip_ - moved);
   contacts_[captured_].moved = moved;
 }
 
-// Adds the next node in front of the tip. A node that need not be punctured is not used there before its capture; it
-// is added in the tick after another capture, which bounds the cost of a tick.
+// Adds the next node in front of the tip. A node without a puncture is not used before its capture; it is added in
+// the tick after another capture, which bounds the cost of a tick.
 void EmbeddedNeedle::add_next_before_tip() noexcept {
   if (constraints_.known() > captured_ || captured_ >= line().size() || captured_ >= contacts_.size()) return;
   if (!constraints_.add_before_tip(line()[captured_].index)) return;
@@ -263,7 +263,7 @@ bool EmbeddedNeedle::capture_node(std::size_t index) noexcept {
   contact.own_compliance = 0.5 * (compliance.row(index, 1)[3 * index + 1] + compliance.row(index, 2)[3 * index + 2]);
   contact.full_capture_length = std::min(node.length, settings_.capture_radius);
   contact.moved = moved(0);
-  contact.slip = tip_ - advance_ - moved(0);  // before this tick, since `moved` is: what sticks goes with the needle
+  contact.slip = tip_ - advance_ - moved(0);  // before this tick, as `moved` is: what sticks moves with the needle
   contact.anchor = shaft_offset(index) - moved.tail<2>();
   captured_ = index + 1;
   if (blocked()) add_next_before_tip();
@@ -309,7 +309,7 @@ void EmbeddedNeedle::set_lateral_compliance(double lateral_compliance) noexcept 
   contact.lateral_compliance = lateral_compliance;
 }
 
-// Updates each node's friction limit, and how firmly the last node is constrained across the needle.
+// Updates each node's friction limit, and the lateral compliance of the last node.
 void EmbeddedNeedle::update_capture() noexcept {
   for (std::size_t i = 0; i < captured_; ++i) {
     const ContactNode& node = line()[i];
@@ -328,7 +328,7 @@ void EmbeddedNeedle::update_capture() noexcept {
 }
 
 // The bevel moves the hole of a node with a rigid constraint sideways while the tip passes through the next node's
-// part of the line, as long as friction has dissipated enough energy for it.
+// part of the line, as far as friction has dissipated enough energy.
 void EmbeddedNeedle::cut_aside() noexcept {
   if (!beam_ || beam_->settings().cut_offset == 0.0 || !(advance_ > 0.0)) return;
   double used = 0.0;

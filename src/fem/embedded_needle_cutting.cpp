@@ -8,23 +8,23 @@ namespace bodkin::fem {
 namespace {
 
 constexpr double same_place = 1e-9;       // mm
-constexpr double longest_handover = 1.0;  // mm of the tip's way, in which the next point takes the force of the cut
+constexpr double longest_handover = 1.0;  // mm of the tip's way in which the next point takes over the cutting force
 
 }  // namespace
 
-// Whether the layer in which the tip is takes a force to be cut on. In the hole of an earlier insertion it does not.
+// Whether cutting the layer at the tip takes a force. In the hole of an earlier insertion it does not.
 bool EmbeddedNeedle::cuts() const noexcept {
   return captured_ > 0 && tissues_[line()[captured_ - 1].tissue].cutting_force > 0.0 &&
          contacts_[captured_ - 1].whole;
 }
 
-// The same where the tip is as deep in the tissue as it has been.
+// The same if the tip is at its greatest depth in the tissue so far.
 bool EmbeddedNeedle::is_at_cut() const noexcept {
   return cuts() && contacts_[captured_ - 1].slip >= cut_ - same_place;
 }
 
-// Whether the tip, at its depth in the tissue as that has moved, has come to the next node. In tissue that opens
-// without a force the depths at rest count.
+// Whether the tip, at its depth in the moved tissue, has reached the next node. In tissue that opens without a force
+// the depths at rest count.
 bool EmbeddedNeedle::comes_to_next() const noexcept {
   if (tip_ < depth_now(captured_)) return false;
   const double depth = line()[captured_].depth;
@@ -32,16 +32,15 @@ bool EmbeddedNeedle::comes_to_next() const noexcept {
   return tip_ - displacement(captured_)(0) >= depth;
 }
 
-// A node that was captured by a puncture, or is of the layer of the one before, is of tissue that is whole.
+// A node captured by a puncture, or in the same layer as the node before it, belongs to intact tissue.
 bool EmbeddedNeedle::is_whole(std::size_t index) const noexcept {
   const ContactNode& node = line()[index];
   if (node.resists) return punctured_[node.index] != punctured_before;
   return index == 0 || line()[index - 1].tissue != node.tissue || contacts_[index - 1].whole;
 }
 
-// The force of the cut is friction that acts inwards alone, on the last node of the shaft; of two nodes of one layer
-// it goes from one to the other as the tip goes on. What a node has of it when the cut has gone on
-// fades as the force of a puncture does.
+// The cutting force is friction that opposes only inward motion, on the last node of the shaft; as the tip advances
+// it passes to the next node of the layer. A node's remainder fades like the force of a puncture.
 void EmbeddedNeedle::update_cutting() noexcept {
   const std::size_t last = captured_ - std::min<std::size_t>(captured_, 1);
   double of_last = 0.0, of_one_before = 0.0;
@@ -67,7 +66,7 @@ void EmbeddedNeedle::update_cutting() noexcept {
   }
 }
 
-// N, by which the tissue at the tip resists being cut.
+// N, resistance of the tissue at the tip to being cut.
 double EmbeddedNeedle::cutting_force() const noexcept {
   double sum = 0.0;
   for (std::size_t i = captured_ - std::min<std::size_t>(captured_, 2); i < captured_; ++i)

@@ -1,4 +1,4 @@
-// EmbeddedNeedle: the points have another compliance, since something holds other nodes of the body.
+// EmbeddedNeedle: changes the compliance of the points when other nodes of the body are held.
 #include <algorithm>
 #include <utility>
 
@@ -19,7 +19,7 @@ void EmbeddedNeedle::exchange() noexcept {
   exchanged_ = false;
 }
 
-// The needle may go on meanwhile, or back.
+// Meanwhile the needle may advance or withdraw.
 void EmbeddedNeedle::prepare_exchange() noexcept {
   while (other_->size() > captured_) other_->pop();
   for (int i = 0; i < most_prepared && other_->size() < captured_; ++i) {
@@ -41,7 +41,7 @@ void EmbeddedNeedle::take_exchanged() noexcept {
     if (constraints_.constrained_along(i)) other_->constrain_along(i);
   if (captured_ > 0 && contacts_[captured_ - 1].lateral_compliance >= 0.0)
     other_->constrain_last_across(contacts_[captured_ - 1].lateral_compliance);
-  // What the same forces would move otherwise is motion that the body has had by itself.
+  // The change of displacement under the same forces counts as the body's own motion.
   for (std::size_t i = 0; i < known; ++i)
     Eigen::Map<Vec3>(displacements_.data() + 3 * i) =
         Eigen::Map<const Vec3>(forces_.data() + 3 * i) + relaxing_.faded(i);

@@ -1,4 +1,4 @@
-// EmbeddedNeedle: which nodes stick and which slide, and the forces of all nodes.
+// EmbeddedNeedle: sticking and sliding nodes, and the forces of all nodes.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr double slip_tolerance = 1e-9;        // mm, that a sliding node may move by rounding
 constexpr double force_tolerance = 1e-9;       // N and relative, above a limit
 constexpr int most_rounds = 6;                 // of sticking and slipping in a tick
-constexpr int slip_rounds = 1;                 // the first rounds, in which nodes may begin to slide
+constexpr int slip_rounds = 1;                 // first rounds, in which nodes may begin to slide
 constexpr int most_single_sticks = 6;          // nodes made to stick one by one; more are done together
 constexpr std::size_t release_budget = 50000;  // rotated numbers of the factor in a tick, after the first release
 
@@ -90,7 +90,7 @@ bool EmbeddedNeedle::slip_where_friction_ends(std::size_t& budget) noexcept {
   return released;
 }
 
-// Tip and tissue in front of it: contact where they would overlap, none where the force would pull.
+// Tip and tissue in front: contact if they would overlap, none if the force would pull.
 bool EmbeddedNeedle::update_tip_contact() noexcept {
   if (constraints_.constrained_along(captured_)) {
     if (forces_[3 * captured_] >= 0.0) return false;

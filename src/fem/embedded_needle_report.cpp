@@ -7,20 +7,20 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double inside_border = 1e-6;  // mm before a border that has not given way
+constexpr double inside_border = 1e-6;  // mm before an intact boundary
 
 }  // namespace
 
-// The tissue behind the tip has moved with its last contact node; what has not given way lies before the tip however
-// far the tip has come.
+// The tissue behind the tip has moved with its last contact node; intact tissue lies before the tip however far the
+// tip has advanced.
 double EmbeddedNeedle::material_depth() const noexcept {
   if (captured_ == 0) return provisional_ > 0.0 || blocked() ? 0.0 : tip_ - (line().empty() ? 0.0 : carried(0)(0));
   const double here = tip_ - contacts_[captured_ - 1].moved;
   return is_before_next() ? std::min(here, line()[captured_].depth) : here;
 }
 
-// The tissue at the tip has moved aside with the needle by as much as at the last point of the shaft.
-EmbeddedNeedle::Ahead EmbeddedNeedle::ahead() const noexcept {
+// The tissue at the tip has moved sideways with the needle as much as at the last point of the shaft.
+EmbeddedNeedle::Continuation EmbeddedNeedle::continuation() const noexcept {
   Eigen::Vector2d slope = slope_, place = axis_offset(tip_);
   if (beam_) {
     const Eigen::Vector2d bent = beam_deflection(root_.outside + tip_);
@@ -39,7 +39,7 @@ double EmbeddedNeedle::opened_depth() const noexcept {
   return -1.0;
 }
 
-// Of the layers that the contact points know; the first one is the skin, also before it has given way.
+// The layers of the contact points; the first one is the skin, even before its puncture.
 anatomy::TissueId EmbeddedNeedle::tissue_at(double depth) const noexcept {
   std::size_t here = 0;
   while (here + 1 < line().size() && line()[here + 1].depth <= depth) ++here;

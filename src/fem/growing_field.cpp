@@ -39,7 +39,7 @@ void GrowingField::run(const std::stop_token& stop) {
     try {
       found = columns_(nodes);
     } catch (const std::exception&) {
-      failed = true;  // no memory: the picture goes on with the columns that there are
+      failed = true;  // no memory: the display continues with the existing columns
     }
     guard.lock();
     found_ = std::move(found);
@@ -74,7 +74,7 @@ void GrowingField::need(std::uint32_t node) {
   if (!field_.knows(node)) missing_.push_back(node);
 }
 
-// Into the spare places that have not been needed for longest, but for those that are needed now.
+// Into the least recently used places, except those needed now.
 void GrowingField::take_found() {
   const std::lock_guard guard(lock_);
   if (request_ != Request::found) return;
@@ -92,7 +92,7 @@ void GrowingField::take_found() {
   }
 }
 
-// For no more than there are places that are not needed now.
+// At most as many as there are places not needed now.
 void GrowingField::ask() {
   const auto room =
       static_cast<std::size_t>(std::ranges::count_if(needed_, [this](auto at) { return at != round_; }));
@@ -108,7 +108,7 @@ void GrowingField::ask() {
   changed_.notify_one();
 }
 
-// S_hh^-1, when all of their columns are there.
+// S_hh^-1, once all of their columns are available.
 bool GrowingField::solve_held() {
   if (held_factor_.cols() > 0) return held_factor_.info() == Eigen::Success;
   const auto size = static_cast<Eigen::Index>(3 * held_.size());

@@ -19,31 +19,31 @@
 
 namespace bodkin::fem {
 
-// A display field for a needle that goes anywhere: where the needle pushes nodes whose columns the field lacks, they
-// are computed on a thread of their own, a few at a time, the nodes that push now before any others, and kept in the
-// field's spare places; what has not been needed for longest makes room. Until they are there the picture lacks what
-// these nodes do (left_out).
+// A display field for a needle that may enter anywhere: the columns of nodes that the needle pushes and the field
+// lacks are computed on a separate thread, a few at a time, beginning with the nodes pushed now, and stored in the
+// field's spare places; those not needed for longest are replaced. Until then the display omits the effect of these
+// nodes (left_out).
 //
-// Nodes that something else holds, a probe, stay where they are in the picture as they do in the tick: with u = S f
-// the displacement without that, they take the forces f_c = -S_hh^-1 u_h.
+// Nodes held by something else, a probe, do not move in the display, as in the tick: with u = S f the displacement
+// without holding, they get the forces f_c = -S_hh^-1 u_h.
 //
 // All functions belong to one thread.
 class GrowingField {
  public:
-  // mm/N: 3 rows for each of the field's points, 3 columns for each of these nodes of the mesh. On the field's
+  // mm/N: 3 rows for each of the field's points, 3 columns for each of these nodes of the mesh. Called on the field's
   // thread.
   using Columns = std::function<Eigen::MatrixXf(std::span<const std::uint32_t> nodes)>;
 
-  // What `field` has, and no more.
+  // Only the columns of `field`.
   explicit GrowingField(DisplayField field);
-  // `node_points`: the field's last points are these nodes of the mesh. Those alone can be held.
+  // `node_points`: the field's last points are these nodes of the mesh. Only they can be held.
   GrowingField(DisplayField field, Columns columns, std::span<const std::uint32_t> node_points = {});
   ~GrowingField();
   GrowingField(const GrowingField&) = delete;
   GrowingField& operator=(const GrowingField&) = delete;
 
   std::size_t points() const noexcept { return field_.points(); }
-  // From now on these nodes are held, as far as they are points.
+  // From now on those of these nodes that are points are held.
   void hold(std::span<const std::uint32_t> nodes);
   // mm, 3 x points() values, all of them written.
   void evaluate(const NodeForces& forces, std::span<float> displacements);
@@ -63,7 +63,7 @@ class GrowingField {
   DisplayField field_;
   Columns columns_;                      // may be empty
   std::vector<std::uint32_t> place_of_;  // by node of the mesh: its point, or none
-  std::vector<std::uint64_t> needed_;    // by spare place: round in which it was needed last
+  std::vector<std::uint64_t> needed_;    // by spare place: round in which it was last needed
   std::vector<std::uint32_t> spare_of_;  // by node: its spare place, or none
   std::uint64_t round_ = 0;              // calls of evaluate()
   std::vector<std::uint32_t> missing_;   // in this round
@@ -71,7 +71,7 @@ class GrowingField {
   Eigen::LLT<Eigen::MatrixXd> held_factor_;  // of S_hh; empty until it is needed
   NodeForces of_holder_;                     // f_c
   std::vector<float> by_holder_;             // mm, of the points
-  std::mutex lock_;                          // guards the three below
+  std::mutex lock_;                          // guards the next three members
   std::condition_variable_any changed_;
   Request request_ = Request::none;
   std::vector<std::uint32_t> asked_;  // nodes

@@ -21,7 +21,8 @@ NeedleBeam::NeedleBeam(const NeedleBeamSettings& settings)
   if (!std::isinf(settings.rigidity) || settings.rigidity < 0.0)
     check_range(origin, "bending stiffness", settings.rigidity, {0.1, 1e9}, "N mm^2");
   check_range(origin, "length", settings.length, {5.0, 500.0}, "mm");
-  check_range(origin, "offset of the cut", settings.cut_offset, {0.0, 2.0}, "mm");
+  check_range(origin, "offset of the cut", settings.cut_offset,
+              declaration_of(&anatomy::NeedleBendingSettings::cut_offset).range, "mm");
 }
 
 double NeedleBeam::flexibility(double a, double b) const noexcept {

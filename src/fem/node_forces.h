@@ -8,13 +8,14 @@
 
 namespace bodkin::fem {
 
-// What a needle does to one node: of the mesh, or of the body or line of CondensedBody, as who gives it says.
+// The force of a needle on one node: of the mesh, or of the body or line of CondensedBody, as the function that
+// returns it says.
 struct NodeForce {
   std::uint32_t node = 0;
   std::array<float, 3> force{};  // N on the tissue, LPS
 };
 
-// All of it in one tick: what the graphics thread needs to draw the deformed body, small enough to be handed over by
+// All forces of one tick: the display thread's input for drawing the deformed body, small enough to be passed by
 // value every tick (core/latest_value.h).
 struct NodeForces {
   static constexpr std::size_t most_contacts = 161;  // of a needle: nodes, or points that four nodes carry
@@ -24,8 +25,8 @@ struct NodeForces {
   std::array<NodeForce, capacity> nodes{};  // capacity; the first `count` are in use
 };
 
-// Forces on contact points, or on the nodes of a corridor, by the nodes of the mesh. A force on a point is spread
-// over the corners of its element, as the point moves with them.
+// Converts forces on contact points, or on the nodes of a corridor, to nodes of the mesh. A force on a point is
+// distributed over the corners of its element, as the point moves with them.
 inline NodeForces of_mesh(NodeForces forces, const anatomy::CondensedBody& body) noexcept {
   if (!body.has_contact_points()) {
     for (std::size_t i = 0; i < forces.count; ++i) forces.nodes[i].node = body.mesh_nodes[forces.nodes[i].node];

@@ -33,14 +33,14 @@ void RelaxingTissue::clear() noexcept {
   points_ = touched_ = 0;
 }
 
-// mm/N, of row and column in the frame: what S moves `one` by a force at `other`, without the spring.
+// mm/N, of row and column in the frame: displacement of `one` by a force at `other` by S, without the spring.
 double RelaxingTissue::between(const ShaftCompliance& compliance, std::size_t one, std::size_t other) const noexcept {
   const double all =
       one >= other ? compliance.row(one / 3, one % 3)[other] : compliance.row(other / 3, other % 3)[one];
   return one % 3 == other % 3 ? all - spring_ : all;
 }
 
-// The points that were removed relax by themselves, f = 0, and what they move with them.
+// The removed points, f = 0, and their effect on others continue to relax.
 void RelaxingTissue::step(const ShaftCompliance& compliance, std::span<const double> forces) noexcept {
   if (!relaxes()) return;
   for (std::size_t i = 0; i < 3 * touched_; ++i) {
@@ -66,7 +66,7 @@ void RelaxingTissue::find_moved(const ShaftCompliance& compliance) noexcept {
     moved_[i] += removed_[i] - spring_ * sum(static_cast<Eigen::Index>(i % 3));
 }
 
-// What the point had moved as one that was removed it moves as one that is there: nothing jumps.
+// The point's displacement as a removed point becomes its own as a present one: nothing jumps.
 void RelaxingTissue::added(const ShaftCompliance& compliance) noexcept {
   if (!relaxes()) return;
   for (; points_ < compliance.size(); ++points_) {
@@ -119,7 +119,7 @@ void RelaxingTissue::exchange(const ShaftCompliance& compliance) noexcept {
   added(compliance);
 }
 
-// The springs beside the dampers, and the one without: s_k = g_k e - q_k, and (1 - sum g_k) e.
+// The springs parallel to the dampers, and the one without a damper: s_k = g_k e - q_k, and (1 - sum g_k) e.
 double RelaxingTissue::stored_energy(const ShaftCompliance& compliance,
                                      std::span<const double> forces) const noexcept {
   const auto energy = [&](const auto& force) {

@@ -10,35 +10,35 @@
 
 namespace bodkin::fem {
 
-// Stress relaxation of the tissue along a needle: a linear viscoelastic body whose elastic answer S (ShaftCompliance)
-// fades with the same Prony series everywhere. At each contact point the elastic force e is what would hold the
-// tissue where it is without relaxation, and f is what does hold it:
+// Stress relaxation of the tissue along a needle: a linear viscoelastic body whose elastic response S
+// (ShaftCompliance) relaxes with the same Prony series everywhere. At each contact point the elastic force e is the
+// one that would hold the tissue in place without relaxation, and f the one that does:
 //
 //   u = S e,   f = e - sum q_k,   q_k' = (g_k e - q_k) / tau_k
 //
-// so that S f = u - S h with h = sum q_k: to the constraints h is a motion that the tissue makes by itself, moved().
-// q_k is exact for an e that is constant over a tick, that of the tick before. A point from which the needle was
-// withdrawn goes on relaxing without a force, and so do the other points by what it had moved them.
+// so that S f = u - S h with h = sum q_k: for the constraints h is a motion of the tissue itself, moved(). q_k is
+// exact for an e that is constant over a tick; e of the previous tick is used. A point from which the needle was
+// withdrawn continues to relax without a force, and so does its effect on the other points.
 //
 // In the frame of the insertion, 3 numbers for each point: along, across, across. The points are those of the
-// compliance, in its order. Nothing is allocated, thrown or locked but by the constructor.
+// compliance, in its order. Only the constructor allocates or throws; nothing locks.
 class RelaxingTissue {
  public:
-  // No terms: nothing relaxes, and all functions return at once. `spring`: mm/N, of a spring that S contains for the
-  // sum of all forces, and that does not relax. Throws InputError for shares or times out of range.
+  // Without terms nothing relaxes, and all functions return at once. `spring`: mm/N, of a spring that S contains for
+  // the sum of all forces, and that does not relax. Throws InputError for shares or times out of range.
   RelaxingTissue(std::span<const anatomy::PronyTerm> terms, double dt, std::size_t most_points, double spring = 0.0);
 
   bool relaxes() const noexcept { return !shares_.empty(); }
-  // Forgets all.
+  // Forgets all state.
   void clear() noexcept;
-  // A tick later. `forces`: f of the tick before, N.
+  // Advances by a tick. `forces`: f of the previous tick, N.
   void step(const ShaftCompliance& compliance, std::span<const double> forces) noexcept;
-  // After a point was added to the compliance, and before the last one is removed from it.
+  // To be called after a point was added to the compliance, and before the last one is removed from it.
   void added(const ShaftCompliance& compliance) noexcept;
   void removing_last(const ShaftCompliance& compliance) noexcept;
-  // Forgets what the points beyond those of the compliance had, because others will come in their place.
+  // Forgets the state of points beyond those of the compliance, because others will replace them.
   void drop_removed() noexcept;
-  // The points have another compliance from now on.
+  // From now on the points have another compliance.
   void exchange(const ShaftCompliance& compliance) noexcept;
 
   // mm, S h at a point of the compliance.
@@ -57,12 +57,12 @@ class RelaxingTissue {
   double between(const ShaftCompliance& compliance, std::size_t one, std::size_t other) const noexcept;
 
   double spring_;
-  std::size_t stride_;                           // numbers of a term, 3 for each point, and some to spare
+  std::size_t stride_;                           // numbers per term, 3 for each point, and some spare
   std::vector<double> shares_, decays_;          // by term: g_k; exp(-dt / tau_k)
   std::vector<double> parts_;                    // by term, q_k, N
   std::vector<double> by_removed_;               // by term, mm: S q_k of the points that were removed
   std::vector<double> faded_, moved_, removed_;  // h, N; S h, mm; its part of the points that were removed, mm
-  std::size_t points_ = 0, touched_ = 0;         // of the compliance; the most that there were
+  std::size_t points_ = 0, touched_ = 0;         // of the compliance; the most so far
 };
 
 }  // namespace bodkin::fem

@@ -8,7 +8,7 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr std::size_t nodes_ahead = 8;  // whose blocks are asked for while earlier ones are turned
+constexpr std::size_t nodes_ahead = 8;  // whose blocks are requested while earlier ones are turned
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool ShaftCompliance::push(std::uint32_t node) noexcept {
     if (i + nodes_ahead <= added) {
       for (Eigen::Index a = 0; a < 3; ++a) __builtin_prefetch(&(*compliance_)(at(i + nodes_ahead), place + a));
     }
-    // Of i by forces at `added`; turned over, of `added` by forces at i.
+    // Of i by forces at `added`; transposed, of `added` by forces at i.
     const Mat3 between = frame_.transpose() * compliance_->block<3, 3>(at(i), place) * frame_;
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t d = 0; d < 3; ++d) {
@@ -62,11 +62,11 @@ Vec3 ShaftCompliance::displacement(std::size_t index, std::span<const double> fo
   return sum;
 }
 
-// Each row is gone through once: below the diagonal as it is, above it turned over.
+// Each row is traversed once: below the diagonal as it is, above it transposed.
 void ShaftCompliance::displace(std::span<const double> forces, std::span<double> displacements) const noexcept {
   double* const sum = displacements.data();
   for (std::size_t i = 0; i < count_; ++i) {
-    // Of what stands behind the diagonal, up to seven numbers are added too, and overwritten below.
+    // Up to seven numbers behind the diagonal are added too, and overwritten below.
     const std::array<const double*, 3> rows{row(i, 0), row(i, 1), row(i, 2)};
     upper_triangular::add_rows(rows.data(), forces.data() + 3 * i, 3, sum, 3 * i);
     for (std::size_t c = 0; c < 3; ++c) sum[3 * i + c] = upper_triangular::product(rows[c], forces.data(), 3 * i + 3);

@@ -26,7 +26,7 @@ ShaftConstraints::ShaftConstraints(const Eigen::MatrixXd& compliance, std::size_
     : bends_(beam.has_value()),
       beam_(beam),
       compliance_(compliance, most_nodes + 1),
-      across_(compliance, (2 * most_nodes + 2) / 3 + 1, beam),  // two rows a node, not three
+      across_(compliance, (2 * most_nodes + 2) / 3 + 1, beam),  // two rows per node, not three
       along_(most_nodes + 1, bends_ ? 4 : 0),
       nodes_(most_nodes + 1),
       depths_(most_nodes + 1),
@@ -154,7 +154,7 @@ void ShaftConstraints::pop() noexcept {
     compliance_.pop();
   }
   along_.release(count_ - 1);
-  if (count_ > 1) {  // last: what has been released need not be updated
+  if (count_ > 1) {  // last: released rows need not be updated
     along_.pop_rows();
     across_.remove_last();
   }
@@ -248,7 +248,7 @@ void ShaftConstraints::place(std::span<const double> displacements, const ShaftR
 // Bending of the piece outside the body. With P the rigid modes of the lateral constraints and A_0 all other
 // equations, A = A_0 + (P R) (P R)^T, where R R^T is the flexibility of the piece outside: two or three columns in
 // each plane. The matrix of the Woodbury formula, 1 + R^T P^T A_0^-1 P R, is at least as well conditioned as the unit
-// matrix. `mode_displacements`: displacements of the modes by all other forces.
+// matrix. `mode_displacements`: of the modes by all other forces.
 Eigen::Vector4d ShaftConstraints::bend_outside(const Eigen::Vector4d& mode_displacements) noexcept {
   Eigen::Matrix<double, 4, 6> roots = Eigen::Matrix<double, 4, 6>::Zero();
   roots.topLeftCorner<2, 3>() = roots.bottomRightCorner<2, 3>() = root_.root;
@@ -311,7 +311,7 @@ void ShaftConstraints::solve_along(std::span<double> forces) noexcept {
   finish_along(forces, outside_modes);
 }
 
-// Adds the constraint forces, and computes the displacements of the sliding nodes by all forces.
+// Adds the constraint forces and computes the displacements of the sliding nodes by all forces.
 void ShaftConstraints::finish_along(std::span<double> forces, const Eigen::Vector4d& outside_modes) noexcept {
   const auto sticking = along_.sticking();
   double* const found = found_.data();

@@ -28,7 +28,7 @@ namespace bodkin::fem {
 // in each solution: exact at any depth (docs/flexible-needle.md).
 class ShaftConstraints {
  public:
-  // `compliance`, `most_nodes`, `beam`: as for ContactFactor. The node in front of the tip does not count for
+  // `compliance`, `most_nodes`, `beam`: as for ContactFactor. The node in front of the tip does not count towards
   // `most_nodes`.
   ShaftConstraints(const Eigen::MatrixXd& compliance, std::size_t most_nodes,
                    const std::optional<NeedleBeam>& beam = {});
@@ -118,12 +118,12 @@ class ShaftConstraints {
   double last_compliance_ = -1.0;  // mm/N; negative: no lateral constraint
   ConstraintDirections across_directions_;
 
-  // Of the current solution.
+  // State of the current solution.
   ShaftRoot root_;
   std::vector<double> across_values_;  // U^-T times the imposed lateral displacements
   std::vector<double> products_;       // by lateral row
   std::vector<double> given_;          // by node: imposed displacement along the needle, mm
-  std::vector<double> carried_;        // by column of along_: moved by the forces firmly across alone
+  std::vector<double> carried_;        // by column of along_: displacement by the rigid lateral forces only
   std::vector<double> moved_, loads_;  // by column: displacement by all forces; the forces
   std::vector<double> found_;          // by column: constraint forces
   std::vector<double> unknowns_;       // by row of T

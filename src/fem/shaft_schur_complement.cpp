@@ -10,11 +10,11 @@ namespace bodkin::fem {
 
 namespace {
 
-// A pivot of T below this part of the node's own compliance counts as zero: the node depends on those before it.
+// A pivot of T below this fraction of the node's own compliance counts as zero: the node depends on those before it.
 // ContactFactor uses the same limit.
 constexpr double least_part = 1e-10;
-// Nodes in stiction from which on T is updated when rows change, 6 n^2 operations instead of n^3 / 3; and how often,
-// until it is factorised anew, so that rounding errors stay small.
+// Number of sticking nodes from which T is updated when rows change, 6 n^2 operations instead of n^3 / 3; and of
+// updates before it is refactorised, so that rounding errors stay small.
 constexpr std::size_t least_updated = 24;
 constexpr int most_updates = 1000;
 
@@ -226,7 +226,7 @@ void ShaftSchurComplement::factorise() noexcept {
     least_[k] = least_part * own_[order_[k]];
   }
   if (upper_triangular::factorise(triangle_.data(), stride_, sticking_, least_.data()) == sticking_) return;
-  // Some node depends on the others: add them one by one; those that fail slide.
+  // Some node depends on the others: add the nodes one by one; those that fail slide.
   const std::size_t wanted = sticking_;
   sticking_ = 0;
   for (std::size_t k = 0; k < wanted; ++k) {

@@ -94,7 +94,7 @@ class ShaftSchurComplement {
   std::vector<std::uint8_t> sticks_;     // by node
   std::size_t columns_ = 0, level_ = 0, sticking_ = 0;
   int updates_ = 0;      // of T since it was factorised
-  bool stale_ = false;   // T is not that of these rows and nodes
+  bool stale_ = false;   // T must be recomputed for the present rows and nodes
   bool changed_ = true;  // T has changed since the last refresh()
 };
 

@@ -12,12 +12,12 @@ namespace bodkin::fem {
 
 double shaft_stiffness(const anatomy::CondensedBody& body, const Vec3& entry, const Vec3& direction, double length,
                        std::size_t most_nodes) {
-  ContactNodes stations(body);
-  stations.begin(entry, direction, {});
+  ContactNodes nodes(body);
+  nodes.begin(entry, direction, {});
   std::vector<Eigen::Index> rows;
-  for (const ContactNode& station : stations.along()) {
-    if (station.depth > length || rows.size() >= 3 * most_nodes) break;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * Eigen::Index{station.index} + axis);
+  for (const ContactNode& node : nodes.along()) {
+    if (node.depth > length || rows.size() >= 3 * most_nodes) break;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) rows.push_back(3 * Eigen::Index{node.index} + axis);
   }
   if (rows.empty()) return 0.0;
   const auto count = static_cast<Eigen::Index>(rows.size());

@@ -73,7 +73,7 @@ BODKIN_LANES_INLINE void turn_all(double* row, double* a, double* b, std::size_t
   for (; j < count; ++j) turn(row[j], a[j], b[j]);
 }
 
-// Each for every processor. Clang takes no version for a processor of what has been declared without.
+// One version for every processor. Clang rejects such versions of a function declared without them.
 namespace wide {
 
 BODKIN_PROCESSOR_CLONES

@@ -13,9 +13,8 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr std::size_t cache_line = 64;  // bytes
-constexpr std::size_t little = std::size_t{8}
-                               << 20;  // bytes: the heap gives them again and again without the machine
+constexpr std::size_t cache_line = 64;                // bytes
+constexpr std::size_t little = std::size_t{8} << 20;  // bytes: smaller ones the heap reuses without the system
 
 double* pages_of_machine(std::size_t bytes) noexcept {
   void* const pages = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);

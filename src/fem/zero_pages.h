@@ -6,12 +6,12 @@
 
 namespace bodkin::fem {
 
-// Many numbers, all zero at first, at a multiple of 64 bytes. Where they are many the machine gives the pages when
-// they are first written to, large ones (2 MiB) where it has them, and takes them back at the end.
+// An array of numbers, initially zero, aligned to 64 bytes. The machine provides the pages of a large array when they
+// are first written, large ones (2 MiB) where available, and reclaims them at the end.
 class ZeroPages {
  public:
   ZeroPages() = default;
-  // Throws SystemError when the machine refuses.
+  // Throws SystemError when the allocation fails.
   explicit ZeroPages(std::size_t count);
   ~ZeroPages();
   ZeroPages(ZeroPages&& other) noexcept;
@@ -20,7 +20,7 @@ class ZeroPages {
   ZeroPages& operator=(const ZeroPages&) = delete;
 
   double* data() const noexcept { return numbers_; }
-  // The same memory for numbers of single precision, twice as many.
+  // The same memory as single-precision numbers, twice as many.
   float* singles() const noexcept { return reinterpret_cast<float*>(numbers_); }
 
  private:

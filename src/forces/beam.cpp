@@ -61,4 +61,10 @@ Beam::Beam(const anatomy::Case& patient, const anatomy::BeamSettings& settings, 
   require_stable_across("beam", "largest stiffness", settings.largest_stiffness, patient.description.device);
 }
 
+template <>
+std::unique_ptr<AnyConstraint> constraint_with(const anatomy::Case& patient, const anatomy::BeamSettings& settings,
+                                               double dt) {
+  return std::make_unique<ConstraintOf<Beam>>(patient, settings, dt);
+}
+
 }  // namespace bodkin::forces

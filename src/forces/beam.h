@@ -23,18 +23,17 @@ double bending_stiffness(double modulus, double outer_diameter, double inner_dia
 class Beam {
  public:
   using Settings = anatomy::BeamSettings;
-  static constexpr ConstraintTraits traits = {.name = "beam"};
 
   // Throws InputError for settings or a needle out of range. `dt`: s, 1e-6 to 0.1.
   Beam(const anatomy::BeamSettings& settings, const anatomy::Needle& needle, double dt);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   Beam(const anatomy::Case& patient, const anatomy::BeamSettings& settings, double dt);
 
   // Clamps the needle at `entry` along the unit vector `direction`: call it at the puncture. `tip`: where it is now.
   void begin(const Vec3& entry, const Vec3& direction, const Vec3& tip) noexcept;
   // Force on the hand at the hub, LPS N. Zero for input that is not finite.
   Vec3 step(const Vec3& tip, const Vec3& axis) noexcept;
-  Wrench step(const HeldNeedle& needle) noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
+  Wrench step(const ConstraintInput& needle) noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
 
   // 3 E I / L^3 with the guard against short lengths, N/mm.
   double stiffness(double outside) const noexcept;
@@ -46,7 +45,5 @@ class Beam {
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
-
-static_assert(ConstraintModel<Beam>);
 
 }  // namespace bodkin::forces

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anatomy/part_settings.h"
 #include "core/repeatable.h"
-#include "core/rotation.h"
 #include "forces/model_input.h"
 
 namespace bodkin::forces {
@@ -29,8 +29,10 @@ Pose exponential(const Vec3& w, const Vec3& v) {
 }
 
 Pose rolled(const Pose& pose, double angle) {
+  const double sine = repeatable::sin(angle), cosine = repeatable::cos(angle);
   Pose turned = pose;
-  turned.linear() = pose.linear() * rotation_about(Vec3::UnitZ(), angle);
+  turned.linear().col(0) = cosine * pose.linear().col(0) + sine * pose.linear().col(1);
+  turned.linear().col(1) = cosine * pose.linear().col(1) - sine * pose.linear().col(0);
   return turned;
 }
 
@@ -47,7 +49,7 @@ WinklerTip winkler_tip(double rigidity, double foundation, double load) {
 
 BevelTip::BevelTip(double curvature, double longest) : curvature_(curvature), longest_(longest) {
   constexpr auto model = "bevel_tip";
-  check_range(model, "curvature", curvature, {0.0, 0.1}, "1/mm");
+  check_range(model, "curvature", curvature, declaration_of(&anatomy::BevelTipSettings::curvature).range, "1/mm");
   check_range(model, "longest path", longest, {1.0, 1000.0}, "mm");
   nodes_.resize(static_cast<std::size_t>(std::ceil(longest / spacing)) + 2);
   begin(Pose::Identity());
@@ -57,21 +59,32 @@ void BevelTip::begin(const Pose& start) noexcept {
   tip_ = start;
   end_ = nodes_[0] = {start, 0.0};
   known_ = 1;
+  segment_after_ = none;
   roll_ = length_ = cut_ = 0.0;
 }
 
-Pose BevelTip::on_path(double length) const noexcept {
+BevelTip::Segment BevelTip::segment_after(std::size_t node) const noexcept {
+  const Node& a = nodes_[node];
+  const bool last = node + 1 >= known_;
+  const Node& b = last ? end_ : nodes_[node + 1];
+  return {
+      a.pose.translation(), b.pose.translation() - a.pose.translation(),
+      Arc(Eigen::Quaterniond(rolled(a.pose, -a.roll).linear()), Eigen::Quaterniond(rolled(b.pose, -b.roll).linear())),
+      last ? cut_ / spacing - static_cast<double>(node) : 1.0};
+}
+
+Pose BevelTip::on_path(double length) noexcept {
   const double place = length / spacing;
   const std::size_t below = std::min(static_cast<std::size_t>(std::max(0.0, place)), known_ - 1);
-  const Node& a = nodes_[below];
-  const bool last = below + 1 >= known_;
-  const Node& b = last ? end_ : nodes_[below + 1];
-  const double whole = last ? cut_ / spacing - static_cast<double>(below) : 1.0;
-  const double part = whole > 1e-9 ? std::clamp((place - static_cast<double>(below)) / whole, 0.0, 1.0) : 0.0;
+  if (below != segment_after_) {
+    segment_ = segment_after(below);
+    segment_after_ = below;
+  }
+  const double along = place - static_cast<double>(below), whole = segment_.length;
+  const double part = whole > 1e-9 ? std::clamp(along / whole, 0.0, 1.0) : 0.0;
   Pose pose = Pose::Identity();
-  pose.translation() = a.pose.translation() + (b.pose.translation() - a.pose.translation()) * part;
-  const Eigen::Quaterniond from(rolled(a.pose, -a.roll).linear()), to(rolled(b.pose, -b.roll).linear());
-  pose.linear() = interpolate(from, to, part).toRotationMatrix();
+  pose.translation() = segment_.from + segment_.way * part;
+  pose.linear() = segment_.turn.at(part).toRotationMatrix();
   return rolled(pose, roll_);
 }
 
@@ -88,9 +101,10 @@ const Pose& BevelTip::step(double advance, double roll) noexcept {
     }
     return tip_;
   }
-  // Free to the end of the cut path, then through whole tissue, from one node of the memory to the next.
+  // Free to the end of the cut path, then through uncut tissue, from one node of the memory to the next.
   if (length_ < cut_) tip_ = rolled(end_.pose, roll_ - end_.roll);
   const double turn = roll / (target - cut_);  // rad/mm
+  segment_after_ = none;                       // the last one gets a new end
   while (cut_ < target) {
     const double node = static_cast<double>(known_) * spacing;
     const double next = node > cut_ ? std::min(node, target) : target;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/rotation.h"
 
 namespace bodkin::forces {
 
@@ -17,7 +19,7 @@ struct WinklerTip {
 // `rigidity`: E I, N mm^2; `foundation`: k_f, N/mm^2; `load`: P, N.
 WinklerTip winkler_tip(double rigidity, double foundation, double load);
 
-// Where a bevelled needle goes (Webster et al. 2006, unicycle): its tip bends with a fixed curvature towards the
+// The path of a bevelled needle (Webster et al. 2006, unicycle): its tip bends with a fixed curvature towards the
 // bevel.
 //
 //   advance ds with shaft roll dphi:  T <- T exp([kappa ds ex + dphi ez, ds ez])      exactly on SE(3)
@@ -26,19 +28,19 @@ WinklerTip winkler_tip(double rigidity, double foundation, double load);
 // for a symmetric tip. Withdrawal retraces the path that was cut; only beyond its end is new tissue cut.
 class BevelTip {
  public:
-  // `curvature`: 0 to 0.1 1/mm. `longest`: mm of path that is remembered, 1 to 1000; beyond it the needle stops.
-  // Throws InputError outside. Takes all memory here.
+  // `curvature`: 0 to 0.1 1/mm. `longest`: mm of path that is remembered, 1 to 1000; at its end the needle stops.
+  // Throws InputError outside these ranges. Allocates all memory here.
   BevelTip(double curvature, double longest);
 
-  // Puts the tip at `start` with nothing cut.
+  // Puts the tip at `start` with no path cut.
   void begin(const Pose& start) noexcept;
   // Moves by `advance` mm along the path (negative: back, at most to the start) and rolls the shaft by `roll` rad.
-  // Input that is not finite moves nothing.
+  // Input that is not finite has no effect.
   const Pose& step(double advance, double roll) noexcept;
 
   const Pose& tip() const noexcept { return tip_; }
   double length() const noexcept { return length_; }  // mm of path from the start to the tip
-  double cut() const noexcept { return cut_; }        // mm of path that is cut
+  double cut() const noexcept { return cut_; }        // mm of path that has been cut
 
  private:
   struct Node {
@@ -47,12 +49,23 @@ class BevelTip {
   };
   static constexpr double spacing = 0.25;  // mm between nodes
 
-  Pose on_path(double length) const noexcept;
+  // The way from one node to the next, as if the shaft had not been turned. A tick rarely goes on to the next.
+  struct Segment {
+    Vec3 from = Vec3::Zero(), way = Vec3::Zero();
+    Arc turn;
+    double length = 0.0;  // in units of `spacing`
+  };
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  Pose on_path(double length) noexcept;
+  Segment segment_after(std::size_t node) const noexcept;
 
   double curvature_, longest_;
   std::vector<Node> nodes_;  // at multiples of `spacing`
   std::size_t known_ = 0;
   Node end_;  // of the cut path
+  Segment segment_;
+  std::size_t segment_after_ = none;  // the node at which segment_ begins
   Pose tip_ = Pose::Identity();
   double roll_ = 0.0, length_ = 0.0, cut_ = 0.0;
 };

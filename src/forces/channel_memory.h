@@ -7,8 +7,8 @@
 
 namespace bodkin::forces {
 
-// The channels that a needle has cut during a session, and how deep each is. Tissue once cut does not have to be cut
-// again, so a model asks here whether an entry is new. An entry is a known channel's when it lies within
+// The channels that a needle has cut during a session, and the depth of each. Cut tissue does not have to be cut
+// again, so a model asks here whether an entry is new. An entry belongs to a known channel when it lies within
 // `same_distance` of that channel's entry and points within `same_angle` of its direction.
 //
 // Fixed capacity, no allocation; the 65th channel replaces the one that was opened first.
@@ -21,7 +21,7 @@ class ChannelMemory {
 
   // Makes the channel at `entry` along the unit vector `direction` the current one; true when it is a new one.
   bool enter(const Vec3& entry, const Vec3& direction) noexcept;
-  // Deepest depth reached in the current channel, mm; 0 before any.
+  // Deepest depth reached in the current channel, mm; 0 before the first.
   double deepest() const noexcept { return channels_[current_].deepest; }
   void deepen(double depth) noexcept {
     if (depth > channels_[current_].deepest) channels_[current_].deepest = depth;

@@ -51,10 +51,19 @@ void CsfFlow::empty_manometer() noexcept {
   state_.height = 0.0;
 }
 
+// A bevel is mostly all in fluid or not at all, and so as far open as in the last tick.
+double CsfFlow::faded_in_tick(double part) noexcept {
+  if (part != faded_for_) {
+    faded_for_ = part;
+    faded_ = repeatable::expm1(-dt_ * part / time_constant());
+  }
+  return faded_;
+}
+
 const CsfState& CsfFlow::step_manometer(double open, bool stylet) noexcept {
   const double part = opening(open, stylet);
   const double before = state_.height;
-  state_.height -= (pressure() - before) * repeatable::expm1(-dt_ * part / time_constant());
+  state_.height -= (pressure() - before) * faded_in_tick(part);
   state_.flow = (state_.height - before) * section() / dt_;
   return state_;
 }

@@ -4,19 +4,19 @@
 
 namespace bodkin::forces {
 
-// A constant force at the tip of a needle that cuts, without the jumps of a sign function: a stiff spring whose far
-// end W follows the tip once the force is reached, and never comes back. Behind W the channel is cut and free.
+// A constant cutting force at the tip, without the jumps of a sign function: a stiff spring whose far end W follows
+// the tip once the force is reached, and never comes back. The channel up to W is cut and free.
 //
 //   W = max(W, x - f/K);   F = K max(0, x - W)
 //
-// x depth, mm; f cutting force, N; K spring, N/mm. Passive: the stored f^2/(2K) is only ever given up.
+// x depth, mm; f cutting force, N; K spring, N/mm. Passive: the stored f^2/(2K) is only released.
 class CuttingEdge {
  public:
   CuttingEdge() = default;
   // `force`: N, >= 0. `stiffness`: N/mm, > 0.
   CuttingEdge(double force, double stiffness) : force_(force), stiffness_(stiffness) {}
 
-  // Everything above `depth` is cut.
+  // Treats everything above `depth` as cut.
   void start(double depth) noexcept { wall_ = depth; }
   double step(double depth) noexcept {
     wall_ = std::max(wall_, depth - force_ / stiffness_);

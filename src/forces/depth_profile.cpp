@@ -39,8 +39,8 @@ void DepthProfile::reset() noexcept {
   inside_ = false;
 }
 
-// A change of tissue counts at once; taking it back needs one voxel of travel, so that labels which flicker at the
-// border of two tissues do not.
+// A change of tissue counts at once; reverting it needs one voxel of travel, so that flickering labels at the border
+// of two tissues have no effect.
 void DepthProfile::settle(double depth, anatomy::TissueId tissue) noexcept {
   if (tissue == settled_) return;
   if (tissue == previous_ && std::abs(depth - changed_at_) < settings_.hysteresis) return;
@@ -107,7 +107,7 @@ void DepthProfile::watch_bone(double depth, anatomy::TissueId tissue, TickEvents
     in_bone_ = false;
     events.push({EventKind::bone_left, tissue, depth, 0.0});
   } else if (!in_bone_ && bone_here) {
-    // Bone that is known already is met where it was; new bone, a voxel or more in front of it, where the tip is.
+    // Known bone is met where it was; new bone, a voxel or more in front of it, at the tip.
     if (depth < bone_ && depth > bone_ - settings_.hysteresis) return;
     if (depth < bone_) bone_ = depth;
     in_bone_ = true;
@@ -166,12 +166,12 @@ double DepthProfile::step(const AxialMotion& motion, anatomy::TissueId tissue, T
 }
 
 DepthProfile::DepthProfile(const anatomy::Case& patient, const anatomy::DepthProfileSettings& settings, double dt)
-    : DepthProfile(felt_tissues(patient), felt_settings(settings, patient), dt) {
+    : DepthProfile(effective_tissues(patient), felt_settings(settings, patient), dt) {
   const anatomy::DeviceLimits& device = patient.description.device;
   require_stable("depth_profile", "skin stiffness", settings_.skin_stiffness, device);
   require_stable("depth_profile", "bone stiffness", settings_.bone_stiffness, device);
   firm_stiffness_ = std::max(settings_.bone_stiffness, settings_.skin_stiffness);
-  const anatomy::TissueLibrary library = felt_tissues(patient);
+  const anatomy::TissueLibrary library = effective_tissues(patient);
   for (const anatomy::TissueProperties& tissue : library.tissues()) {
     require_stable("depth_profile", "the spring of " + tissue.title, tissue.depth_profile.stiffness, device);
     firm_stiffness_ = std::max(firm_stiffness_, tissue.depth_profile.stiffness);
@@ -182,6 +182,11 @@ ResistanceForce DepthProfile::step(const NeedleInTissue& needle, TickEvents& eve
   const double force = step(needle.motion, needle.tissue, events);
   const double behind = in_bone_ ? bone_ : k_ > 0.0 ? reference_ : needle.motion.depth;
   return {.along = force, .material = punctured_ ? behind : 0.0, .in_contact = needle.motion.depth > 0.0};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::DepthProfileSettings>() {
+  return entry_of<DepthProfile>();
 }
 
 }  // namespace bodkin::forces

@@ -38,7 +38,7 @@ void require_stable_damping(const std::string& model, double stiffness, double d
   const double allowed = damping_allowed(stiffness, device.stiffness, dt);
   if (damping <= allowed * (1.0 + 1e-9)) return;
   std::ostringstream text;
-  text << model << ": damping is " << damping << " N s/mm, but beside a spring of " << stiffness
+  text << model << ": damping is " << damping << " N s/mm, but together with a spring of " << stiffness
        << " N/mm the device (" << device.profile << ") renders at most " << allowed
        << " N s/mm stably; lower damping or stiffness, or give the device its true stiffness_N_per_mm";
   throw InputError(text.str());

@@ -14,14 +14,14 @@ struct DiagnosticName {
   std::string_view title;  // as people read it: "position of the wall"
 };
 
-// Of one resistance, and of a resistance with all its parts.
+// Largest numbers: of one resistance, and of a resistance with all its parts.
 inline constexpr std::size_t most_model_diagnostics = 4;
 inline constexpr std::size_t most_diagnostics = 12;
 
 using ModelDiagnosticNames = std::array<DiagnosticName, most_model_diagnostics>;
-using ModelDiagnostics = std::array<double, most_model_diagnostics>;  // in the order of the names; the rest is 0
+using ModelDiagnostics = std::array<double, most_model_diagnostics>;  // in the order of the names; unused ones are 0
 
-// The diagnostics of one tick, in the order of HapticTick::diagnostic_names(); the rest is 0.
+// The diagnostics of one tick, in the order of HapticTick::diagnostic_names(); unused ones are 0.
 using Diagnostics = std::array<double, most_diagnostics>;
 
 constexpr std::size_t count_of(std::span<const DiagnosticName> names) noexcept {

@@ -12,9 +12,9 @@ namespace bodkin::forces {
 
 namespace {
 
-constexpr double stride = 1.0;         // mm between the places that are looked at
+constexpr double stride = 1.0;         // mm between the sampled places
 constexpr int halvings = 12;           // of the last stride
-constexpr double most_pressed = 30.0;  // mm that a finger is looked for under the skin
+constexpr double most_pressed = 30.0;  // mm under the skin that are searched for a finger
 constexpr double least_cover = 5.0;    // mm
 constexpr double cover_time = 0.02;    // s
 constexpr double wall_from = 2.0 / 3;  // of the cover
@@ -22,7 +22,7 @@ constexpr double least_press = 2.0;    // mm
 constexpr double press_time = 0.3;     // s
 constexpr double same_place = 5.0;     // mm that a pressing finger may slide
 
-// Where a condition that holds at `from` and not at `to` ceases to hold, as a share of the way.
+// Where a condition that holds at `from` but not at `to` ceases to hold, as a fraction of the way.
 template <typename Holds>
 double border(double from, double to, const Holds& holds) noexcept {
   for (int i = 0; i < halvings; ++i) {
@@ -45,7 +45,7 @@ Fingertip::Fingertip(const anatomy::TissueVolume& tissues, const anatomy::Finger
   constexpr auto model = "fingertip";
   check_tick(model, dt);
   check(settings, model);
-  is_bone(anatomy::tissue::air);  // makes the set, outside the ticks
+  is_bone(anatomy::tissue::air);  // creates the set, outside the ticks
   reset();
 }
 
@@ -53,7 +53,7 @@ void Fingertip::reset() noexcept {
   covers_.fill(settings_.reach);
   state_ = {};
   pressed_ = 0.0;
-  told_ = false;
+  reported_ = false;
 }
 
 bool Fingertip::is_air(const Vec3& place) const noexcept {
@@ -81,7 +81,7 @@ double Fingertip::cover_of_bone(const Vec3& skin, const Vec3& axis) const noexce
 void Fingertip::notice_place(const Vec3& tip, const Vec3& axis, TickEvents& events) noexcept {
   if (!(state_.indentation >= least_press)) {
     pressed_ = 0.0;
-    told_ = false;
+    reported_ = false;
     return;
   }
   const Vec3 way = tip - place_;
@@ -89,11 +89,11 @@ void Fingertip::notice_place(const Vec3& tip, const Vec3& axis, TickEvents& even
   if (pressed_ == 0.0 || slid > same_place) {
     place_ = tip;
     pressed_ = 0.0;
-    told_ = false;
+    reported_ = false;
   }
   pressed_ += dt_;
-  if (told_ || pressed_ < press_time) return;
-  told_ = true;
+  if (reported_ || pressed_ < press_time) return;
+  reported_ = true;
   const bool bone = state_.cover < settings_.reach;
   events.push(
       {EventKind::palpated, bone ? anatomy::tissue::cortical_bone : anatomy::tissue::skin, 0.0, state_.firmness});
@@ -105,7 +105,7 @@ const FingertipState& Fingertip::step(const Vec3& tip, const Vec3& axis, TickEve
   const double share = -repeatable::expm1(-dt_ / cover_time);
   const bool was_touching = state_.touching;
   state_ = {};
-  double bent = 0.0, wall = 0.0;  // N of the columns, of the bones
+  double bent = 0.0, wall = 0.0;  // N at the columns, at the bones
   for (std::size_t i = 0; i < points; ++i) {
     Vec3 place = tip;
     if (i > 0) {
@@ -125,7 +125,7 @@ const FingertipState& Fingertip::step(const Vec3& tip, const Vec3& axis, TickEve
       state_.cover = found;
     }
   }
-  // What the device cannot render stably is felt as firm as it can.
+  // Stiffness beyond the device's stable range is limited to that range.
   if (state_.firmness > 0.5 * stiffness_) bent *= 0.5 * stiffness_ / state_.firmness;
   state_.force = std::min(bent + wall, settings_.limit);
   notice_place(tip, axis, events);

@@ -83,4 +83,9 @@ ResistanceForce Fracture::step(const NeedleInTissue& needle, TickEvents& events)
   return {.along = force, .material = torn_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
+template <>
+ResistanceEntry resistance_with<anatomy::FractureSettings>() {
+  return entry_of<Fracture>();
+}
+
 }  // namespace bodkin::forces

@@ -11,14 +11,14 @@
 
 namespace bodkin::forces {
 
-// U = k dx^2 (a^4/4 + a^3 + a^2)/6, N mm, a = x/dx: what the cubic law of voigt_law.h has stored at x >= 0.
+// U = k dx^2 (a^4/4 + a^3 + a^2)/6, N mm, a = x/dx: energy stored by the cubic law of voigt_law.h at x >= 0.
 constexpr double stored_energy(double stiffness, double spacing, double x) noexcept {
   const double a = x / spacing;
   return stiffness * spacing * spacing * a * a * (a * a / 4.0 + a + 1.0) / 6.0;
 }
 
 // Puncture as fracture (Azar and Hayward 2008; Mahvash and Dupont 2010; Barnett et al. 2015; Khadem et al. 2016). A
-// membrane deforms elastically and tears when the energy that it has stored pays for the crack:
+// membrane deforms elastically and ruptures when its stored energy suffices for the crack:
 //
 //   before   R = k dx a (a+1)(a+2)/6,  a = x/dx          until U(x) >= J w t_m
 //   after    R = J_behind w, where tissue is still whole (cutting_edge.h); J in N/mm, 1 N/mm = 1000 J/m^2
@@ -34,7 +34,7 @@ class Fracture : public ResistanceDefaults {
 
   // Throws InputError for a setting outside its range.
   explicit Fracture(const anatomy::FractureSettings& settings);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   Fracture(const anatomy::Case& patient, const anatomy::FractureSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -42,7 +42,7 @@ class Fracture : public ResistanceDefaults {
   double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
   ResistanceForce step(const NeedleInTissue& needle, TickEvents& events) noexcept;
   void reset() noexcept;
-  // N/mm, the membrane's tangent where it tears.
+  // N/mm, tangent stiffness of the membrane at rupture.
   double stiffness_at_rupture() const noexcept;
   double firm_stiffness() const noexcept { return settings_.cutting_stiffness; }
   ModelDiagnostics diagnostics() const noexcept { return {stored_, torn_ ? edge_.wall() : 0.0}; }
@@ -56,7 +56,5 @@ class Fracture : public ResistanceDefaults {
   double stored_ = 0.0;  // N mm, in the membrane while it is whole
   bool inside_ = false, torn_ = false;
 };
-
-static_assert(ResistanceModel<Fracture>);
 
 }  // namespace bodkin::forces

@@ -33,7 +33,7 @@ anatomy::GravitySettings fit_gravity(std::span<const GravitySample> samples, con
     spread += arm * arm.transpose();
     moment += arm * (sample.force - settings.weight);
   }
-  // Directions that the samples do not span get no slope instead of an arbitrary one.
+  // Directions not spanned by the samples get no slope rather than an arbitrary one.
   spread += Mat3::Identity() * (1e-9 * spread.trace() + 1e-12);
   settings.slope = spread.ldlt().solve(moment);
   return settings;

@@ -7,7 +7,7 @@
 
 namespace bodkin::forces {
 
-// A force that was found to hold the device still at a position.
+// A force that held the device still at a position.
 struct GravitySample {
   Vec3 position = Vec3::Zero();  // mm
   double force = 0.0;            // N upwards

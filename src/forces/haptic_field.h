@@ -21,7 +21,7 @@ struct FieldSample {
 // gradient is that of central differences, trilinear between voxels; it is as continuous as the value.
 class HapticField {
  public:
-  // Throws InputError for settings out of range or an empty volume. Takes 4 bytes a voxel and a second or two for a
+  // Throws InputError for settings out of range or an empty volume. Needs 4 bytes per voxel and a second or two for a
   // large patient. `tissues` must outlive the field.
   HapticField(const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
               const anatomy::TissueLibrary& library, const anatomy::HapticFieldSettings& settings);

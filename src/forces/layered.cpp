@@ -14,12 +14,12 @@ namespace bodkin::forces {
 namespace {
 
 constexpr double speed_floor = 1.0;         // v0 of the break rule, mm/s
-constexpr double fade_time = 0.020;         // s, viscous terms come back after bone
+constexpr double fade_time = 0.020;         // s in which viscous terms return after bone
 constexpr double furthest_tenting = -10.0;  // mm, beyond which the skin lets go
-constexpr double sliver = 1.0;              // mm, a thinner run inside one tissue is noise of the labels
+constexpr double sliver = 1.0;              // mm; a thinner run inside one tissue is noise of the labels
 constexpr double rough_cell = 0.1;          // mm
-constexpr double bone_slack = 0.2;          // mm off the bone before that is an event
-constexpr double longest_path = 400.0;      // mm of a patient's line; deeper is as 400 mm
+constexpr double bone_slack = 0.2;          // mm off the bone that make an event
+constexpr double longest_path = 400.0;      // mm of a patient's line; greater depths count as 400 mm
 constexpr double least_grip_budget = 0.1;   // of the device's stiffness
 constexpr std::uint64_t rough_seed = 0x6e65656c65;
 
@@ -74,9 +74,9 @@ void Layered::begin() noexcept {
   bone_reported_ = false;
 }
 
-// Makes blocks of the layers that the tip has reached. A run thinner than 1 mm (the voxel of the paper) with the same
-// tissue on both sides is noise of the labels, not an organ to be punctured; bone is never taken for noise. Nothing
-// behind bone is reached.
+// Creates blocks for the layers that the tip has reached. A run thinner than 1 mm (the voxel of the paper) with the
+// same tissue on both sides is noise of the labels, not an organ to be punctured; bone is never treated as noise.
+// Nothing behind bone is reached.
 void Layered::reveal(int tip_layer, std::span<const anatomy::TissueId> layers) noexcept {
   const int end = static_cast<int>(layers.size());
   while (revealed_ < tip_layer && revealed_ + 1 < end && bone_near_ == std::numeric_limits<double>::infinity()) {
@@ -104,7 +104,7 @@ void Layered::reveal(int tip_layer, std::span<const anatomy::TissueId> layers) n
   }
 }
 
-// A tip that reaches a block presses on its face; one that was punctured before grips the shaft at once.
+// A tip that reaches a block presses on its face; a block punctured before grips the shaft at once.
 void Layered::touch(Block& block) const noexcept {
   if (block.first > last_punctured_) {
     block.mode = Mode::pressed;
@@ -148,7 +148,7 @@ void Layered::press(Block& block, const Law& law, const AxialMotion& motion, Sum
 }
 
 void Layered::hold(Block& block, const Law& law, const AxialMotion& motion, double advance, Sums& sums) noexcept {
-  // No tissue is stretched further than its static friction holds, however far the needle moved in one tick.
+  // No tissue is stretched beyond its static friction, however far the needle moved in one tick.
   block.strain = std::clamp(block.strain + softening_ * advance, -law.most_strain, law.most_strain);
   const double friction = law.grip.grip(block.strain, motion.velocity * viscous_);  // eq. 4
   sums.resistance += grip_ * friction * block.contact;
@@ -178,8 +178,8 @@ void Layered::slide(Block& block, const Law& law, const AxialMotion& motion, Sum
   double dynamic = law.dynamic_friction;  // eq. 5, 7
   double slip = law.slip_strain;
   if (law.rough) dynamic *= 1.0 + law.roughness * roughness(block.furthest);
-  // A needle that turns stretches the tissue back at once; the estimate of its direction comes some ticks later. The
-  // force follows the position, so that the delay feeds no energy in.
+  // A needle that reverses stretches the tissue the other way at once; the estimate of its direction follows some
+  // ticks later. The force follows the position, so that the delay adds no energy.
   const double back = softening_ * sense * (block.furthest - motion.depth);
   const bool ends = motion.stopped || motion.direction == -block.slide;
   if (law.rough && (back > 0.0 || ends)) slip = law.grip.inverse(std::min(dynamic, law.static_friction));
@@ -254,7 +254,7 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::T
   }
   sums.resistance += viscous_length_drag * motion.velocity * viscous_;
 
-  // Held shaft shares the device's stiffness with the other elastic parts: a longer shaft deforms over a longer
+  // The held shaft shares the device's stiffness with the other elastic parts: a longer shaft deforms over a longer
   // distance.
   const double budget = std::max(least_grip_budget * device_stiffness_, device_stiffness_ - sums.firm_stiffness);
   softening_ = sums.friction_stiffness > budget ? budget / sums.friction_stiffness : 1.0;
@@ -272,7 +272,7 @@ LayeredForce Layered::step(const AxialMotion& motion, std::span<const anatomy::T
 
 LayeredResistance::LayeredResistance(const anatomy::Case& patient, const anatomy::LayeredSettings& settings,
                                      double dt)
-    : model_(felt_tissues(patient), settings, patient.description.device.stiffness, dt, longest_path,
+    : model_(effective_tissues(patient), settings, patient.description.device.stiffness, dt, longest_path,
              patient.description.haptics.mechanics == anatomy::Mechanics::physical),
       path_(settings.layer, longest_path),
       volume_(&patient.tissues) {}
@@ -289,6 +289,11 @@ ResistanceForce LayeredResistance::step(const NeedleInTissue& needle, TickEvents
           .stiffness = found_.stiffness,
           .material = found_.material,
           .in_contact = found_.in_contact};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::LayeredSettings>() {
+  return entry_of<LayeredResistance>();
 }
 
 }  // namespace bodkin::forces

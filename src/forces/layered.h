@@ -16,34 +16,33 @@
 
 namespace bodkin::forces {
 
-// What `layered` found in one tick.
+// Result of one tick of `layered`.
 struct LayeredForce {
   double resistance = 0.0;                                    // N, positive pushes the hand out
   double stiffness = 0.0;                                     // N/mm, tangent of everything elastic that is active
   double shaft = 0.0;                                         // N of the resistance, by the friction of the shaft
-  double material = std::numeric_limits<double>::infinity();  // mm, near face of what has not given way yet
-  bool in_contact = false;  // false: the needle has left the body, the line can be released
+  double material = std::numeric_limits<double>::infinity();  // mm, near face of the first block not yet punctured
+  bool in_contact = false;  // false: the needle has left the body, the line may be released
   bool in_bone = false;     // the tip is inside bone
 };
 
 // Resistance of layered tissue along a frozen line (Heng, Wong, Leung, Chui, Sun 2004, eq. 1-16). Runs of equal
 // tissue form blocks. A block resists in three ways, one after the other:
 //
-//   before puncture   R += push(p_t - d_l, v)      until it breaks: R >= H + L/(v + v0), tested while advancing
-//   static            R += d grip(x, v)            x += the needle's advance, until |f| > S in the direction of
-//   motion dynamic           R += d slide D (1 + delta n) until the needle stops or turns; then x = Einv(D), so f is
-//   continuous
+//   before puncture   R += push(p_t - d_l, v)       until it breaks: R >= H + L/(v + v0), tested while advancing
+//   static            R += d grip(x, v)             x += the needle's advance, until |f| > S along the motion
+//   dynamic           R += d slide D (1 + delta n)  until the needle stops or turns; then x = Einv(D)
 //
 //   p_t depth of the tip, mm; d_l depth of the block's near face; d contact length, mm; v velocity, mm/s; x
-//   deformation; push, grip, Einv: forces/voigt_law.h; n roughness in [-1, 1], a function of depth alone.
+//   deformation; push, grip, Einv: forces/voigt_law.h; n roughness in [-1, 1], a function only of depth.
 //
 // Viscous tissue: R += rho_f v d. Rigid tissue never breaks: R += K_b (p_t - d_l), every viscous term is off, and
 // fades in again over 20 ms once the tip is out. Readings and differences from the paper: docs/models/layered.md.
 class Layered {
  public:
-  // Throws InputError naming tissue and value when a parameter is outside its range. `one_face`: a tissue behind a
-  // face that has not given way moves with it and is not met yet. `device_stiffness`: N/mm > 0, what the device
-  // renders stably. `longest`: mm, the deepest depth that will be asked for.
+  // Throws InputError naming tissue and value when a parameter is outside its range. `one_face`: a tissue behind an
+  // unpunctured face moves with that face and is not in contact yet. `device_stiffness`: N/mm > 0, the stiffness that
+  // the device renders stably. `longest`: mm, the greatest depth that will be requested.
   Layered(const anatomy::TissueLibrary& library, const anatomy::LayeredSettings& settings, double device_stiffness,
           double dt, double longest, bool one_face = false);
 
@@ -82,9 +81,9 @@ class Layered {
     std::int8_t slide = 0;    // sense of sliding, -1 or +1
     int first = 0, last = 0;  // layers, as far as known
     double near = 0.0;        // mm, depth of the near face
-    double strain = 0.0;   // x, mm; of a pressed face: how far it had moved with the tissue before it when it was met
-    double contact = 0.0;  // d, mm of shaft
-    double furthest = 0.0;  // depth that sliding has reached, mm
+    double strain = 0.0;      // x, mm; of a pressed face: its displacement when it was met, with the tissue before it
+    double contact = 0.0;     // d, mm of shaft
+    double furthest = 0.0;    // depth that sliding has reached, mm
   };
 
   struct Sums {
@@ -134,7 +133,7 @@ class LayeredResistance : public ResistanceDefaults {
   static constexpr ResistanceTraits traits = {
       .name = "layered",
       .has_shaft_friction = true,
-      .feels_grip = true,
+      .uses_grip = true,
       .diagnostics = {{{"tip_N", "force at the tip"}, {"shaft_N", "friction of the shaft"}}},
   };
 
@@ -153,7 +152,5 @@ class LayeredResistance : public ResistanceDefaults {
   const anatomy::TissueVolume* volume_;
   LayeredForce found_;  // in the last tick
 };
-
-static_assert(ResistanceModel<LayeredResistance>);
 
 }  // namespace bodkin::forces

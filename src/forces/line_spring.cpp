@@ -35,4 +35,10 @@ Vec3 LineSpring::step(const Vec3& tip) noexcept {
   return size > limit_ ? Vec3(force * (limit_ / size)) : force;
 }
 
+template <>
+std::unique_ptr<AnyConstraint> constraint_with(const anatomy::Case& patient,
+                                               const anatomy::LineSpringSettings& settings, double dt) {
+  return std::make_unique<ConstraintOf<LineSpring>>(patient, settings, dt);
+}
+
 }  // namespace bodkin::forces

@@ -18,7 +18,6 @@ namespace bodkin::forces {
 class LineSpring {
  public:
   using Settings = anatomy::LineSpringSettings;
-  static constexpr ConstraintTraits traits = {.name = "line_spring"};
 
   // Throws InputError for values outside the ranges of LineSpringSettings. `device_stiffness`: N/mm, > 0.
   LineSpring(const anatomy::LineSpringSettings& settings, double device_stiffness, double dt);
@@ -31,7 +30,7 @@ class LineSpring {
   Vec3 step(const Vec3& tip) noexcept;
 
   void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
-  Wrench step(const HeldNeedle& needle) noexcept { return {step(needle.tip), Vec3::Zero()}; }
+  Wrench step(const ConstraintInput& needle) noexcept { return {step(needle.tip), Vec3::Zero()}; }
 
   double stiffness() const noexcept { return stiffness_; }
   double damping() const noexcept { return damping_; }
@@ -40,10 +39,8 @@ class LineSpring {
   double stiffness_, damping_, limit_, dt_, gain_;
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
-  Vec3 offset_ = Vec3::Zero();  // w of the tick before
+  Vec3 offset_ = Vec3::Zero();  // w of the previous tick
   Vec3 rate_ = Vec3::Zero();    // dw/dt, low pass of 50 Hz
 };
-
-static_assert(ConstraintModel<LineSpring>);
 
 }  // namespace bodkin::forces

@@ -10,9 +10,9 @@
 
 namespace bodkin::forces {
 
-// What every force model does with its settings and its input before it trusts them.
+// Validation of settings and input that every force model does.
 
-// Throws InputError naming model, tissue and parameter unless the property of every tissue is in order.
+// Throws InputError naming model, tissue and parameter unless the property of every tissue is valid.
 template <typename Property>
 void check_tissues(const anatomy::TissueLibrary& library, Property anatomy::TissueProperties::*property,
                    std::string_view model) {
@@ -20,8 +20,8 @@ void check_tissues(const anatomy::TissueLibrary& library, Property anatomy::Tiss
     check(tissue.*property, std::string(model) + ", tissue '" + tissue.name + "'");
 }
 
-// Motions beyond these are no needle in a hand: a sensor or a driver failed. A model answers them with zero force, a
-// `fault` event and an unchanged state.
+// Larger motions than these do not come from a needle in a hand: a sensor or a driver failed. A model responds with
+// zero force, a `fault` event and an unchanged state.
 inline constexpr double farthest_depth = 1e4;  // mm
 inline constexpr double fastest_motion = 1e6;  // mm/s
 

@@ -15,14 +15,14 @@ ModelSettings model_settings(const anatomy::CaseDescription& description, const 
   anatomy::Case of;
   of.description = description;
   of.library = library;
-  ModelSettings settings{description.haptics, felt_tissues(of).tissues()};
+  ModelSettings settings{description.haptics, effective_tissues(of).tissues()};
   std::visit(
       [&of](auto& resistance) {
         if constexpr (requires { felt_settings(resistance, of); }) resistance = felt_settings(resistance, of);
       },
       settings.haptics.resistance);
   for (anatomy::TissueProperties& tissue : settings.tissues)
-    tissue.physical.puncture_force = tissue.physical.friction = 0.0;  // what is_described() asks for
+    tissue.physical.puncture_force = tissue.physical.friction = 0.0;  // the input of is_described()
   return settings;
 }
 

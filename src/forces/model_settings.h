@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -13,19 +15,20 @@
 
 namespace bodkin::forces {
 
-// Everything about a force model that a person may change.
+// Everything that a person may change about a force model.
 struct ModelSettings {
   anatomy::HapticSettings haptics;
   std::vector<anatomy::TissueProperties> tissues;
 };
 
-// As the case feels. What a person changes are the models' own numbers: with mechanics="physical" those that follow
-// from the description for the case's needle stand in place of the description, which would be derived again.
+// The settings of a case. A person changes the models' own numbers: with mechanics="physical" the numbers derived for
+// the case's needle replace the physical description, which would otherwise be derived again.
 ModelSettings model_settings(const anatomy::Case& patient);
-// The same of a case with this description and these tissues.
+// As above, for a case with this description and these tissues.
 ModelSettings model_settings(const anatomy::CaseDescription& description, const anatomy::TissueLibrary& library);
 
-// Which struct of them a parameter stands in. From `relaxation` on: what a case adds to its resistance.
+// The struct to which a parameter belongs. From `relaxation` on: parts that a case adds to its resistance, in the
+// order of the table of ForceParts.
 enum class ModelPart : std::uint8_t {
   resistance,
   constraint,
@@ -39,40 +42,33 @@ enum class ModelPart : std::uint8_t {
   syringe,
   fingertip
 };
-inline constexpr std::array<ModelPart, 7> added_parts = {
-    ModelPart::relaxation, ModelPart::shaft_friction, ModelPart::needle_grasp, ModelPart::bevel_tip,
-    ModelPart::csf_flow,   ModelPart::syringe,        ModelPart::fingertip};
+inline constexpr auto added_parts = [] {
+  std::array<ModelPart, std::tuple_size_v<decltype(anatomy::ForceParts::parameters())>> parts{};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] = static_cast<ModelPart>(static_cast<std::size_t>(ModelPart::relaxation) + i);
+  return parts;
+}();
+static_assert(added_parts.back() == ModelPart::fingertip, "ModelPart names each part of ForceParts");
 
-// Calls visit(struct) with the one of `parts` that is meant, if it is there; of `relaxation` that with this index.
+// Calls visit(struct) with the selected one of `parts`, if it exists; for `relaxation` the one with this index.
 template <typename Parts, typename Visit>
 void visit_added_part(Parts& parts, ModelPart part, std::size_t index, const Visit& visit) {
-  const auto open = [&](auto& value) {
-    if (value) visit(*value);
-  };
-  switch (part) {
-    case ModelPart::relaxation:
-      if (index < parts.relaxation.size()) visit(parts.relaxation[index]);
-      return;
-    case ModelPart::shaft_friction:
-      return open(parts.shaft_friction);
-    case ModelPart::needle_grasp:
-      return open(parts.needle_grasp);
-    case ModelPart::bevel_tip:
-      return open(parts.bevel_tip);
-    case ModelPart::csf_flow:
-      return open(parts.csf_flow);
-    case ModelPart::syringe:
-      return open(parts.syringe);
-    case ModelPart::fingertip:
-      return open(parts.fingertip);
-    default:
-      return;
-  }
+  auto each = added_parts.begin();
+  for_each_inside(
+      [&](const auto& entry, auto& value) {
+        if (*each++ != part) return;
+        if constexpr (parameter_detail::is_list<std::remove_cvref_t<decltype(entry)>>) {
+          if (index < value.size()) visit(value[index]);
+        } else if (value) {
+          visit(*value);
+        }
+      },
+      parts);
 }
 
-// Calls visit(struct) with the one that is meant, as long as it has a table of parameters. Of a tissue (`id`) it is
-// what the resistance asks of it, and nothing where it asks for nothing; of `relaxation` the one with the index `id`;
-// of another part that the case does not have it is nothing. `Settings` may be const.
+// Calls visit(struct) with the selected struct, if it has a parameter table. For a tissue (`id`) that is what the
+// resistance reads from it, or nothing; for `relaxation` the term with index `id`; for a part that the case does not
+// have, nothing. `Settings` may be const.
 template <typename Settings, typename Visit>
 void visit_part(Settings& settings, ModelPart part, anatomy::TissueId id, const Visit& visit) {
   const auto open = [&](auto& value) {
@@ -93,7 +89,7 @@ void visit_part(Settings& settings, ModelPart part, anatomy::TissueId id, const 
   const auto found = std::find_if(settings.tissues.begin(), settings.tissues.end(),
                                   [id](const anatomy::TissueProperties& tissue) { return tissue.id == id; });
   if (found == settings.tissues.end()) return;
-  // What a tissue says to a model is the element of the model's name; all models of a deformable body share one.
+  // A tissue's values for a model are in the element of the model's name; all models of a deformable body share one.
   const bool has_body = anatomy::body_of(settings.haptics.resistance) != nullptr;
   const std::string_view asked = has_body ? "deformable" : anatomy::name_of(settings.haptics.resistance);
   for_each_inside(

@@ -25,7 +25,9 @@ double NeedleGrasp::step(double roll) noexcept {
   if (!(std::abs(roll) <= 1e6)) return factor();
   constexpr double turn = 2.0 * std::numbers::pi;
   if (started_) {
-    const double moved = std::remainder(roll - last_, turn) / turn;
+    // The remainder of less than half a turn is itself, and to compute it takes as long as all the rest.
+    const double moved =
+        std::abs(roll - last_) < 0.5 * turn ? (roll - last_) / turn : std::remainder(roll - last_, turn) / turn;
     net_ += moved;
     total_ += std::abs(moved);
   }

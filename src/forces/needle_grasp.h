@@ -4,20 +4,20 @@
 
 namespace bodkin::forces {
 
-// Acupuncture's needle grasp: turning the needle winds tissue round it, and it holds more firmly (Langevin et al.
-// 2001).
+// Acupuncture's needle grasp: turning the needle winds tissue round it, which then holds it more firmly (Langevin et
+// al. 2001).
 //
 //   factor = point (1 + max(one_way (1 - exp(-|n|/w)), two_way (1 - exp(-m/w))))
 //
-// n net turns since the entry, m turns that went back on themselves (all turning less |n|), w turns_to_wind. Multiply
-// the friction of the shaft (D and S of `layered`, Fc of `shaft_friction`) with it.
+// n net turns since the entry, m turns back and forth (all turning less |n|), w turns_to_wind. Multiply the
+// friction of the shaft (D and S of `layered`, Fc of `shaft_friction`) by it.
 class NeedleGrasp {
  public:
   // Throws InputError for a setting outside its range.
   explicit NeedleGrasp(const anatomy::NeedleGraspSettings& settings);
 
-  // `roll`: of the shaft, rad, any multiple of a turn left out or not; steps of less than half a turn are followed.
-  // Not finite: as if unchanged. Returns the factor.
+  // `roll`: of the shaft, rad, with or without multiples of a turn; steps must be less than half a turn. Not finite:
+  // as if unchanged. Returns the factor.
   double step(double roll) noexcept;
   void reset() noexcept;
 

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double torn_share = 0.77;            // 0.61 / (0.61 + 0.18), Barnett et al. 2015
 constexpr double usual_bevel = 20.0;           // deg, of the quincke needle whose factor is 1
-constexpr double stretched = 1.22;             // s of tips without an edge, from 1.08 at 12 deg
-constexpr double reference_diameter = 0.7176;  // mm, 22 G, of numbers for which no needle is known
+constexpr double stretched = 1.22;             // s of tips without an edge; from 1.08 at 12 deg
+constexpr double reference_diameter = 0.7176;  // mm, 22 G, for numbers without a known needle
 constexpr double friction_diameter = 1.27;     // mm, of the needle of Okamura et al. 2004
 constexpr double softest_wall = 0.01;          // N/mm
-constexpr double sideways_share = 0.3;         // of the proxy's way up, to slide across
-constexpr double least_force = 1e-3;           // N, of laws that need more than nothing
+constexpr double sideways_share = 0.3;         // of the proxy's climb, to slide across
+constexpr double least_force = 1e-3;           // N, of laws that need a positive force
 
 double radians(double degrees) noexcept {
   return degrees * std::numbers::pi / 180.0;
@@ -43,7 +43,7 @@ double torn(anatomy::NeedleTip tip) noexcept {
   return 1.0;
 }
 
-// Of tip_factor(), what tears.
+// The tearing part of tip_factor().
 double torn_factor(const anatomy::Needle& needle) noexcept {
   return torn_share * torn(needle.tip);
 }
@@ -54,7 +54,7 @@ const anatomy::PhysicalTissue* skin_of(const anatomy::Case& patient) noexcept {
   return skin != nullptr && skin->physical.puncture_force > 0.0 ? &skin->physical : nullptr;
 }
 
-// Eq. 2 passes through the force at its dimpling. Where its curve would be steeper than the device renders, it
+// Eq. 2 passes through the force at its dimpling. Where its curve would be steeper than the device can render, it
 // becomes almost a straight line, which dimples least.
 void press_through(anatomy::LayeredTissue& layered, double force, double stiffness, double device) {
   const double dimpling = force / stiffness;
@@ -89,7 +89,7 @@ void derive(anatomy::TissueProperties& tissue, const anatomy::Needle& needle, do
   }
   layered.drag = std::min(layered.drag * wider, 10.0);
 
-  // As stiff as can be: a thin layer reaches its force before it is passed.
+  // As stiff as possible: a thin layer reaches its force before it is passed.
   tissue.tracking_wall = {.stiffness = std::clamp(device, softest_wall, 100.0), .force = std::min(force, 50.0)};
   if (tissue.depth_profile.kind == anatomy::DepthProfileKind::soft)
     tissue.depth_profile = {.kind = tissue.depth_profile.kind, .stiffness = std::min(force / trailing, device)};
@@ -147,7 +147,7 @@ bool is_described(const anatomy::PhysicalTissue& tissue) noexcept {
   return tissue.puncture_force > 0.0 || tissue.friction > 0.0;
 }
 
-anatomy::TissueLibrary felt_tissues(const anatomy::Case& patient) {
+anatomy::TissueLibrary effective_tissues(const anatomy::Case& patient) {
   if (patient.description.haptics.mechanics != anatomy::Mechanics::physical) return patient.library;
   std::vector<anatomy::TissueProperties> tissues = patient.library.tissues();
   const double trailing = trailing_of(patient);
@@ -182,7 +182,7 @@ anatomy::ThreeComponentSettings felt_settings(const anatomy::ThreeComponentSetti
   felt.linear = settings.linear * share;
   felt.quadratic = settings.quadratic * share;
   felt.cutting_force = settings.cutting_force * share;
-  // Its slope where it breaks, sqrt(a1^2 + 4 a2 F), is no steeper than the device renders.
+  // Its slope where it breaks, sqrt(a1^2 + 4 a2 F), is no steeper than the device can render.
   for (int step = 0; step < 200; ++step) {
     const double slope = std::sqrt(felt.linear * felt.linear + 4.0 * felt.quadratic * felt.puncture_force);
     if (slope <= patient.description.device.stiffness) break;

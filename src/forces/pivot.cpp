@@ -20,7 +20,7 @@ void Pivot::begin(const Vec3& entry, const Vec3& direction) noexcept {
   direction_ = direction;
 }
 
-// Of the turn alone: eq. 2, direction reversed. Zero for a needle that points along the frozen direction.
+// Only of the rotation: eq. 2, direction reversed. Zero for a needle that points along the frozen direction.
 Vec3 Pivot::turning_back(const Vec3& axis, double inside) const noexcept {
   const Vec3 turned = direction_ - axis;  // (V_i - V_c) / L
   const Vec3 across = turned - turned.dot(axis) * axis;
@@ -35,12 +35,18 @@ Vec3 Pivot::turning_back(const Vec3& axis, double inside) const noexcept {
 Vec3 Pivot::step(const Vec3& tip, const Vec3& axis) const noexcept {
   const Vec3 to_entry = entry_ - tip;
   const double inside = std::min(-to_entry.dot(axis), length_);  // l1
-  if (!(inside > 0.0)) return Vec3::Zero();                      // written so that NaN fails too
+  if (!(inside > 0.0)) return Vec3::Zero();                      // NaN fails too
   const Vec3 from_hole = to_entry - to_entry.dot(axis) * axis;
   const Vec3 force = turning_back(axis, inside) + settings_.gain * settings_.stiffness * from_hole;
   const double size = force.norm();
   if (!std::isfinite(size)) return Vec3::Zero();
   return size > settings_.limit ? Vec3(force * (settings_.limit / size)) : force;
+}
+
+template <>
+std::unique_ptr<AnyConstraint> constraint_with(const anatomy::Case& patient, const anatomy::PivotSettings& settings,
+                                               double dt) {
+  return std::make_unique<ConstraintOf<Pivot>>(patient, settings, dt);
 }
 
 }  // namespace bodkin::forces

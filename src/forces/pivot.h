@@ -15,14 +15,13 @@ namespace bodkin::forces {
 //   e        = O - tip, its part across u
 //
 // u0 direction frozen at puncture, u the needle's now, L its length mm, e from the shaft to the hole in the skin.
-// Only F_c's direction across u counts; its size is that of the whole chord. The second term is ours: a hole does not
-// let a needle move sideways; the paper's needle only turns. The lateral stiffness grows with l1 but costs nothing
-// along the needle, as in the paper, so closed paths that tilt shallow and return deep give energy: this constraint
-// is **active** (docs/models/pivot.md).
+// Only F_c's direction across u is used; its magnitude is that of the whole chord. The second term is ours: a hole
+// does not let a needle move sideways; the paper's needle only turns. The lateral stiffness grows with l1 without a
+// force along the needle, as in the paper, so closed paths that tilt at small depth and return at large depth give
+// energy: this constraint is **active** (docs/models/pivot.md).
 class Pivot {
  public:
   using Settings = anatomy::PivotSettings;
-  static constexpr ConstraintTraits traits = {.name = "pivot"};
 
   // Throws InputError for a setting outside its range. `length`: mm, hub to tip, 10 to 500.
   Pivot(const anatomy::PivotSettings& settings, double length);
@@ -35,7 +34,9 @@ class Pivot {
   Vec3 step(const Vec3& tip, const Vec3& axis) const noexcept;
 
   void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
-  Wrench step(const HeldNeedle& needle) const noexcept { return from_hub(step(needle.tip, needle.axis), needle); }
+  Wrench step(const ConstraintInput& needle) const noexcept {
+    return from_hub(step(needle.tip, needle.axis), needle);
+  }
 
  private:
   Vec3 turning_back(const Vec3& axis, double inside) const noexcept;
@@ -46,7 +47,5 @@ class Pivot {
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
-
-static_assert(ConstraintModel<Pivot>);
 
 }  // namespace bodkin::forces

@@ -26,7 +26,7 @@ Vec3 Rail::torque(const Vec3& axis, double depth) const noexcept {
   const double grown = std::min(depth / settings_.full_depth, 1.0);
   if (sine < 1e-9) {
     if (cosine > 0.0) return Vec3::Zero();
-    // Turned right round: any axis across the needle will do.
+    // Turned by 180 degrees: any axis across the needle will do.
     return direction_.unitOrthogonal() *
            std::min(settings_.torsion * grown * std::numbers::pi, settings_.torque_limit);
   }
@@ -51,10 +51,16 @@ Rail::Rail(const anatomy::Case& patient, const anatomy::RailSettings& settings, 
   require_stable_across("rail", "stiffness", settings.stiffness, patient.description.device);
 }
 
-Wrench Rail::step(const HeldNeedle& needle) const noexcept {
+Wrench Rail::step(const ConstraintInput& needle) const noexcept {
   Wrench wrench = step(needle.tip, needle.axis);
-  if (needle.resistance_holds_it) wrench.force.setZero();
+  if (needle.torque_only) wrench.force.setZero();
   return wrench;
+}
+
+template <>
+std::unique_ptr<AnyConstraint> constraint_with(const anatomy::Case& patient, const anatomy::RailSettings& settings,
+                                               double dt) {
+  return std::make_unique<ConstraintOf<Rail>>(patient, settings, dt);
 }
 
 }  // namespace bodkin::forces

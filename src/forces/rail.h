@@ -19,22 +19,21 @@ namespace bodkin::forces {
 class Rail {
  public:
   using Settings = anatomy::RailSettings;
-  static constexpr ConstraintTraits traits = {.name = "rail"};
 
   // Throws InputError for a setting outside its range.
   explicit Rail(const anatomy::RailSettings& settings);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   Rail(const anatomy::Case& patient, const anatomy::RailSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // The point of the line nearest to `proxy`.
   Vec3 project(const Vec3& proxy) const noexcept { return entry_ + (proxy - entry_).dot(direction_) * direction_; }
-  // Lateral force at the tip and torque, on the hand. Zero for input that is not finite. A resistance that has a
-  // proxy of its own (`volume_proxy`) takes project() instead of the force, and only the torque from here.
+  // Lateral force at the tip and torque, on the hand. Zero for input that is not finite. A resistance with a proxy of
+  // its own (`volume_proxy`) uses project() instead of the force, and only the torque from here.
   Wrench step(const Vec3& tip, const Vec3& axis) const noexcept;
   void begin(const Vec3& entry, const Vec3& direction, const Vec3&) noexcept { begin(entry, direction); }
-  Wrench step(const HeldNeedle& needle) const noexcept;
-  // The torque alone, N mm.
+  Wrench step(const ConstraintInput& needle) const noexcept;
+  // Only the torque, N mm.
   Vec3 torque(const Vec3& axis, double depth) const noexcept;
 
  private:
@@ -42,7 +41,5 @@ class Rail {
   Vec3 entry_ = Vec3::Zero();
   Vec3 direction_ = Vec3::UnitZ();
 };
-
-static_assert(ConstraintModel<Rail>);
 
 }  // namespace bodkin::forces

@@ -12,8 +12,8 @@ namespace bodkin::forces {
 namespace {
 
 constexpr double path_layer = 0.5;        // mm between tissue samples along the line
-constexpr double longest_shaft = 400.0;   // mm; deeper is as 400 mm
-constexpr double least_hold_share = 0.1;  // of the device's stiffness, left to the friction's spring
+constexpr double longest_shaft = 400.0;   // mm; greater depths count as 400 mm
+constexpr double least_hold_share = 0.1;  // of the device's stiffness, reserved for the friction's spring
 
 }  // namespace
 
@@ -28,7 +28,7 @@ ShaftContact shaft_contact(std::span<const anatomy::TissueId> layers, double lay
     const double length = std::min(left, layer);
     sum.coulomb += here.coulomb * length;
     sum.static_force += here.static_force * length;
-    if (here.coulomb > 0.0) sum.stiffness += here.stiffness * length;  // what cannot hold cannot stretch either
+    if (here.coulomb > 0.0) sum.stiffness += here.stiffness * length;  // without friction there is no stretch
     sum.viscous += here.viscous * length;
     left -= layer;
   }
@@ -67,12 +67,12 @@ double ShaftFriction::step(const AxialMotion& motion, const ShaftContact& contac
 ShaftFrictionResistance::ShaftFrictionResistance(const anatomy::Case& patient,
                                                  const anatomy::ShaftFrictionSettings& settings, double, double firm)
     : model_(settings),
-      tissues_(felt_tissues(patient).by_id(&anatomy::TissueProperties::shaft_friction)),
+      tissues_(effective_tissues(patient).by_id(&anatomy::TissueProperties::shaft_friction)),
       path_(path_layer, longest_shaft),
       volume_(&patient.tissues),
       budget_(std::max(patient.description.device.stiffness - firm,
                        least_hold_share * patient.description.device.stiffness)) {
-  check_tissues(felt_tissues(patient), &anatomy::TissueProperties::shaft_friction, "shaft_friction");
+  check_tissues(effective_tissues(patient), &anatomy::TissueProperties::shaft_friction, "shaft_friction");
 }
 
 void ShaftFrictionResistance::begin(const Vec3& entry, const Vec3& direction) noexcept {
@@ -89,6 +89,11 @@ ResistanceForce ShaftFrictionResistance::step(const NeedleInTissue& needle, Tick
   // A long shaft stretches tissue over a longer distance.
   contact.stiffness = std::min(contact.stiffness * needle.grip, budget_);
   return {.along = model_.step(needle.motion, contact, events), .in_contact = needle.motion.depth > 0.0};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::ShaftFrictionSettings>() {
+  return entry_of<ShaftFrictionResistance>();
 }
 
 }  // namespace bodkin::forces

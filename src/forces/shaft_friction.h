@@ -14,7 +14,7 @@
 
 namespace bodkin::forces {
 
-// The friction of all of the shaft that is in tissue: sums of what its tissues do per mm (ShaftFrictionTissue).
+// Friction of the whole shaft that is in tissue: sums of the tissues' values per mm (ShaftFrictionTissue).
 struct ShaftContact {
   double coulomb = 0.0;       // Fc, N
   double static_force = 0.0;  // Fs, N
@@ -61,19 +61,19 @@ class ShaftFriction {
 };
 
 // The friction of the shaft in the tissues of a patient along the frozen line: as a resistance of its own, and as the
-// part that is added to resistances without one.
+// part added to resistances without shaft friction.
 class ShaftFrictionResistance : public ResistanceDefaults {
  public:
   using Settings = anatomy::ShaftFrictionSettings;
   static constexpr ResistanceTraits traits = {
       .name = "shaft_friction",
       .has_shaft_friction = true,
-      .feels_grip = true,
+      .uses_grip = true,
       .diagnostics = {{{"stretch_mm", "stretch z of the tissue on the shaft"}}},
   };
 
-  // Throws InputError for settings or tissues outside their ranges. `firm`: N/mm of the device's stiffness that
-  // another resistance has already, see ResistanceDefaults::firm_stiffness().
+  // Throws InputError for settings or tissues outside their ranges. `firm`: N/mm of the device's stiffness already
+  // used by another resistance, see ResistanceDefaults::firm_stiffness().
   ShaftFrictionResistance(const anatomy::Case& patient, const anatomy::ShaftFrictionSettings& settings, double dt,
                           double firm = 0.0);
 
@@ -90,7 +90,5 @@ class ShaftFrictionResistance : public ResistanceDefaults {
   const anatomy::TissueVolume* volume_;
   double budget_;  // N/mm that the tissue's spring on the shaft may have
 };
-
-static_assert(ResistanceModel<ShaftFrictionResistance>);
 
 }  // namespace bodkin::forces

@@ -18,7 +18,7 @@ double SpringDamperWall::step(const AxialMotion& motion, anatomy::TissueId tissu
   }
   if (motion.depth < settings_.wall) return 0.0;
   const double force = settings_.stiffness * (motion.depth - settings_.wall) + settings_.damping * motion.velocity;
-  return std::clamp(force, 0.0, settings_.limit);  // eq. 2; a wall pushes, it never holds
+  return std::clamp(force, 0.0, settings_.limit);  // eq. 2; a wall pushes and never pulls
 }
 
 SpringDamperWall::SpringDamperWall(const anatomy::Case& patient, const anatomy::SpringDamperWallSettings& settings,
@@ -36,6 +36,11 @@ ResistanceForce SpringDamperWall::step(const NeedleInTissue& needle, TickEvents&
           .stiffness = force > 0.0 ? settings_.stiffness : 0.0,
           .material = settings_.wall,
           .in_contact = needle.motion.depth > 0.0};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::SpringDamperWallSettings>() {
+  return entry_of<SpringDamperWall>();
 }
 
 }  // namespace bodkin::forces

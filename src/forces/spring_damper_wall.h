@@ -8,7 +8,7 @@
 
 namespace bodkin::forces {
 
-// The fixed wall that haptic rendering begins with, and the baseline that `tracking_wall` improves on:
+// The simplest wall of haptic rendering, at a fixed depth; the baseline that `tracking_wall` improves on:
 //
 //   R = max(0, K (x - x_w) + B v)   for x >= x_w,   0 otherwise        (Alamilla, Moreau, Redarce 2018, eq. 2)
 //
@@ -25,7 +25,7 @@ class SpringDamperWall : public ResistanceDefaults {
 
   // Throws InputError for a setting outside its range.
   explicit SpringDamperWall(const anatomy::SpringDamperWallSettings& settings);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   SpringDamperWall(const anatomy::Case& patient, const anatomy::SpringDamperWallSettings& settings, double dt);
 
   // R in N, 0 to `limit`. Unusable motion (model_input.h): 0 and a `fault` event.
@@ -41,7 +41,5 @@ class SpringDamperWall : public ResistanceDefaults {
   anatomy::SpringDamperWallSettings settings_;
   double penetration_ = 0.0;  // mm
 };
-
-static_assert(ResistanceModel<SpringDamperWall>);
 
 }  // namespace bodkin::forces

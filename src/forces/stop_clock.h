@@ -5,26 +5,26 @@
 
 namespace bodkin::forces {
 
-// Since when a needle rests. That it rests is known late, once its speed has been small for a while; the clock counts
-// the time before as well, so that what begins with the stop does not begin late. A depth without noise that stays
-// the same for one tick is a stop at once.
+// The time for which a needle has been at rest. Rest is detected late, after the speed has been small for a while;
+// the clock also counts the time before, so that effects that begin with the stop do not begin late. A depth without
+// noise that does not change for one tick is a stop at once.
 class StopClock {
  public:
   // `resolution`: mm, of the measured depth; 0 = without noise. `dt`: s.
   StopClock(double resolution, double dt)
       : band_(resolution + rounding), noiseless_(!(resolution > 0.0)), most_owed_(longest_owed / dt) {}
 
-  // Every tick, with the depth (mm) and whether the needle is known to rest. True while it rests.
+  // To be called every tick with the depth (mm) and whether rest has been detected. True while the needle rests.
   bool step(double depth, bool known) noexcept {
     still_ = std::abs(depth - anchor_) <= band_ ? still_ + 1.0 : 0.0;
     if (still_ == 0.0) anchor_ = depth;
     return known || (noiseless_ && still_ > 0.0);
   }
-  // At the beginning of a stop, after step().
+  // To be called at the beginning of a stop, after step().
   void start() noexcept { ticks_ = 0.0, owed_ = std::clamp(still_ - 1.0, 0.0, most_owed_); }
-  // Where a stop begins anew in the middle of one.
+  // Restarts the stop, in the middle of one.
   void restart() noexcept { ticks_ = 0.0; }
-  // Ticks of the stop, one more each time; the time before it was known is made up at double speed, without a jump.
+  // Ticks of the stop, one more on each call; the time before detection is made up at double speed, without jumps.
   double advance() noexcept {
     ticks_ += owed_ >= 1.0 ? 2.0 : 1.0;
     owed_ = std::max(0.0, owed_ - 1.0);

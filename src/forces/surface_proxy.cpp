@@ -15,7 +15,8 @@ constexpr double parallel = 1e-12;    // sine squared of the least angle at whic
 
 }  // namespace
 
-HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size_t count) noexcept {
+ConstrainedMotion constrained_motion(const Vec3& pull, const std::array<Vec3, 3>& normals,
+                                     std::size_t count) noexcept {
   const double slack = -1e-12 * pull.norm();
   const auto free = [&](const Vec3& slide, std::size_t but, std::size_t and_but) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -25,7 +26,7 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
   };
   if (free(pull, count, count)) return {pull, {}, 0};
   for (std::size_t i = 0; i < count; ++i) {  // along a face
-    HeldWay one;
+    ConstrainedMotion one;
     one.load[i] = -normals[i].dot(pull);
     if (one.load[i] < 0.0) continue;
     one.holding = 1;
@@ -39,7 +40,7 @@ HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size
       if (sine2 < parallel) continue;
       const double cosine = normals[i].dot(normals[j]);
       const double into_i = -normals[i].dot(pull), into_j = -normals[j].dot(pull);
-      HeldWay two;
+      ConstrainedMotion two;
       two.load[i] = (into_i - cosine * into_j) / sine2;
       two.load[j] = (into_j - cosine * into_i) / sine2;
       if (two.load[i] < 0.0 || two.load[j] < 0.0) continue;
@@ -64,14 +65,14 @@ void SurfaceProxy::reset() noexcept {
   placed_ = false;
 }
 
-// Moves the proxy as near to the tip as faces and friction let it.
+// Moves the proxy as near to the tip as faces and friction permit.
 void SurfaceProxy::follow(const Vec3& tip) noexcept {
   double friction = at_rest_ < settings_.stick_after ? settings_.dynamic_friction : settings_.static_friction;
-  double left = dt_;  // s of this tick that the proxy has not yet slid
+  double left = dt_;  // s of this tick in which the proxy has not yet slid
   at_rest_ += dt_;
   count_ = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    const HeldWay held = held_way(tip - proxy_, normals_, count_);
+    const ConstrainedMotion held = constrained_motion(tip - proxy_, normals_, count_);
     Vec3 slide = held.slide;
     if (count_ > 0) {
       const double length = slide.norm(), load = held.load[0] + held.load[1] + held.load[2];
@@ -92,7 +93,7 @@ void SurfaceProxy::follow(const Vec3& tip) noexcept {
     proxy_ += part * slide;
     if (count_ > 0 && part * slide.norm() > least_slide) at_rest_ = 0.0;
     if (hit.triangle < 0) {
-      // Arrived: at the tip itself, or on the faces, which may have ended on the slide (an edge was passed).
+      // Arrived: at the tip itself, or on the faces, which may have ended during the slide (an edge was passed).
       if (count_ == 0) at_rest_ = long_at_rest;
       if (count_ == 0 || settings_.viscosity > 0.0) return;
       count_ = 0;
@@ -101,7 +102,7 @@ void SurfaceProxy::follow(const Vec3& tip) noexcept {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       if (held.load[i] <= 0.0) continue;
-      // A face met again: the angle between faces is lost in rounding. Standing still is always safe.
+      // A face met again: the angle between faces is lost in rounding. Stopping is always safe.
       if (normals_[i].cross(hit.normal).squaredNorm() < parallel && normals_[i].dot(hit.normal) > 0.0) return;
       normals_[kept++] = normals_[i];
     }
@@ -126,7 +127,7 @@ Vec3 SurfaceProxy::step(const Vec3& tip, TickEvents& events) noexcept {
 
 namespace {
 
-// mm before the entry at which the proxy starts: the surface is smooth, and may lie a voxel beside the voxels.
+// mm before the entry at which the proxy starts: the smooth surface may lie a voxel off the voxels' surface.
 constexpr double before_skin = 5.0;
 
 }  // namespace
@@ -152,6 +153,11 @@ ResistanceForce SurfaceProxyResistance::step(const NeedleInTissue& needle, TickE
           .across = force + along * direction_,
           .stiffness = model_.constraints() > 0 ? stiffness_ : 0.0,
           .in_contact = needle.motion.depth > 0.0 || model_.constraints() > 0};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::SurfaceProxySettings>() {
+  return entry_of<SurfaceProxyResistance>();
 }
 
 }  // namespace bodkin::forces

@@ -13,26 +13,26 @@
 namespace bodkin::forces {
 
 // The displacement of a point pulled by `pull` (mm) and held back by up to three planes.
-struct HeldWay {
+struct ConstrainedMotion {
   Vec3 slide = Vec3::Zero();        // mm; zero in a corner that holds the point altogether
   std::array<double, 3> load = {};  // mm of spring on each plane, 0 where it does not hold; all 0 in a corner
   std::size_t holding = 0;          // planes that hold: those with a load, or all in a corner
 };
 
-// Projection of `pull` onto the cone {w : n_i . w >= 0} of the first `count` (0 to 3) unit normals, with the
-// multipliers that hold it there: slide = pull + sum load_i n_i; slide . n_i = 0 or load_i = 0. In a corner nothing
-// slides, so the loads are not worked out.
-HeldWay held_way(const Vec3& pull, const std::array<Vec3, 3>& normals, std::size_t count) noexcept;
+// Projection of `pull` onto the cone {w : n_i . w >= 0} of the first `count` (0 to 3) unit normals, with its
+// multipliers: slide = pull + sum load_i n_i; slide . n_i = 0 or load_i = 0. In a corner nothing slides, so the loads
+// are not computed.
+ConstrainedMotion constrained_motion(const Vec3& pull, const std::array<Vec3, 3>& normals,
+                                     std::size_t count) noexcept;
 
-// Touching a surface with a point: the god-object of Zilles and Salisbury (1995), which Ruspini, Kolarov and Khatib
+// Contact of a point with a surface: the god-object of Zilles and Salisbury (1995), which Ruspini, Kolarov and Khatib
 // (1997) call the virtual proxy, with the friction cone of Harwin and Melder (2002). A spring k ties the tip x_t to a
-// proxy x_p that stays outside and goes as near to the tip as the faces allow:
+// proxy x_p that stays outside and moves as near to the tip as the faces allow:
 //
 //   F_hand = -k (x_t - x_p)
 //   w = projection of x_t - x_p onto {w : n_i . w >= 0},  faces i that x_p touches, at most 3;   N = k sum load_i
 //   k |w| <= mu N             x_p sticks; mu = mu_s at first touch and after `stick_after` at rest, else mu_d
-//   otherwise                 x_p += w (1 - mu_d N / (k |w|)) k dt / (k dt + b),  stopped by the next face along the
-//   slide
+//   otherwise                 x_p += w (1 - mu_d N / (k |w|)) k dt / (k dt + b),  stopped by the next face
 //
 // On one face this is the circle that the friction cone with its apex in the tip cuts out of the face. A tick repeats
 // it, at most `most_rounds` times, until nothing moves; what then remains is done in the next tick. Every segment
@@ -43,18 +43,17 @@ class SurfaceProxy {
   static constexpr int most_rounds = 12;
   static constexpr double clearance = 1e-4;  // mm between proxy and face, so that rounding never puts it behind
 
-  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. Sorts the triangles into a tree and
-  // keeps a copy of them.
+  // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. Copies the triangles into a tree.
   SurfaceProxy(const anatomy::SurfaceProxySettings& settings, const anatomy::Surface& surface, double dt);
 
-  // Force on the hand, LPS N, at most `limit`. The first call puts the proxy at the tip; where that is inside,
-  // nothing is felt until the tip has left. A tip that is not finite or farther than 1e4 mm: zero, a `fault` event,
-  // state unchanged.
+  // Force on the hand, LPS N, at most `limit`. The first call puts the proxy at the tip; if that is inside, there is
+  // no force until the tip has left. A tip that is not finite or farther than 1e4 mm: zero, a `fault` event, state
+  // unchanged.
   Vec3 step(const Vec3& tip, TickEvents& events) noexcept;
   void reset() noexcept;
 
   const Vec3& proxy() const noexcept { return proxy_; }
-  // How many faces held the proxy in the last tick, 0 to 3.
+  // Number of faces that held the proxy in the last tick, 0 to 3.
   std::size_t constraints() const noexcept { return count_; }
   // Whether the proxy slid in the last tick.
   bool sliding() const noexcept { return at_rest_ == 0.0; }
@@ -74,22 +73,22 @@ class SurfaceProxy {
   bool placed_ = false;
 };
 
-// `surface_proxy` on the skin of a patient (anatomy/tissue_surface.h): palpation with the tip, which never goes in.
+// `surface_proxy` on the skin of a patient (anatomy/tissue_surface.h): palpation with the tip, which never enters.
 class SurfaceProxyResistance : public ResistanceDefaults {
  public:
   using Settings = anatomy::SurfaceProxySettings;
   static constexpr ResistanceTraits traits = {
       .name = "surface_proxy",
-      .holds_laterally = true,
-      .has_shaft_friction = true,  // nothing of the shaft is in the tissue
+      .has_lateral_force = true,
+      .has_shaft_friction = true,  // the shaft is never in tissue
       .diagnostics = {{{"proxy_x_mm", "proxy, L"},
                        {"proxy_y_mm", "proxy, P"},
                        {"proxy_z_mm", "proxy, S"},
                        {"faces", "faces that hold the proxy"}}},
   };
 
-  // Draws the skin, which takes a second for a torso. Throws InputError for settings out of range, a patient without
-  // tissues and a spring that the device cannot render stably.
+  // Computes the skin surface, which takes a second for a torso. Throws InputError for settings out of range, a
+  // patient without tissues and a spring that the device cannot render stably.
   SurfaceProxyResistance(const anatomy::Case& patient, const anatomy::SurfaceProxySettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -106,7 +105,5 @@ class SurfaceProxyResistance : public ResistanceDefaults {
   double stiffness_;
   Vec3 direction_ = Vec3::UnitZ();
 };
-
-static_assert(ResistanceModel<SurfaceProxyResistance>);
 
 }  // namespace bodkin::forces

@@ -11,7 +11,7 @@ namespace bodkin::forces {
 namespace {
 
 constexpr double atmosphere = 0.1013;       // MPa
-constexpr double highest_pressure = 2.0;    // MPa: no thumb goes there
+constexpr double highest_pressure = 2.0;    // MPa: beyond any thumb
 constexpr double lowest_pressure = -0.099;  // MPa gauge: short of vacuum
 
 }  // namespace
@@ -47,7 +47,7 @@ const SyringeState& Syringe::step(double plunger_speed, anatomy::TissueId tissue
   state_.pressure = std::clamp(relax(state_.pressure, here.pressure, area_ * speed, compliance, resistance, dt_),
                                lowest_pressure, highest_pressure);
   state_.flow = (state_.pressure - here.pressure) / resistance;
-  // The seal drags against the motion; below 1 mm/s it eases off instead of switching.
+  // The seal's friction opposes the motion; below 1 mm/s it falls continuously instead of switching.
   state_.force = area_ * state_.pressure + settings_.friction * std::clamp(speed, -1.0, 1.0);
   return state_;
 }

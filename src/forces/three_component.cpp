@@ -93,4 +93,9 @@ ResistanceForce ThreeComponent::step(const NeedleInTissue& needle, TickEvents& e
   return {.along = force, .material = punctured_ ? edge_.wall() : 0.0, .in_contact = needle.motion.depth > 0.0};
 }
 
+template <>
+ResistanceEntry resistance_with<anatomy::ThreeComponentSettings>() {
+  return entry_of<ThreeComponent>();
+}
+
 }  // namespace bodkin::forces

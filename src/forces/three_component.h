@@ -17,8 +17,8 @@ namespace bodkin::forces {
 //   friction   after it, per mm inserted: C sgn v + b v for |v| >= Dv/2, within the band up to D   (modified Karnopp)
 //   cutting    0 before, constant after
 //
-// A simulator does not know the force that a hand applies, which Karnopp's band needs; inside it a Dahl spring (see
-// shaft_friction.h) holds with at most D. Cutting acts where tissue is still whole (cutting_edge.h). Passive.
+// Karnopp's band needs the force that a hand applies, which a simulator does not know; inside the band a Dahl spring
+// (see shaft_friction.h) holds with at most D. Cutting acts where tissue is still whole (cutting_edge.h). Passive.
 class ThreeComponent : public ResistanceDefaults {
  public:
   using Settings = anatomy::ThreeComponentSettings;
@@ -30,10 +30,11 @@ class ThreeComponent : public ResistanceDefaults {
 
   // Throws InputError for a setting outside its range.
   explicit ThreeComponent(const anatomy::ThreeComponentSettings& settings);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   ThreeComponent(const anatomy::Case& patient, const anatomy::ThreeComponentSettings& settings, double dt);
 
-  // Meets the capsule at `entry` along the unit `direction`; a punctured channel (1 mm, 3 degrees) stays so.
+  // The needle meets the capsule at `entry` along the unit `direction`; a punctured channel (1 mm, 3 degrees) stays
+  // open.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // R in N, -limit to limit. Events: contact, puncture (value = force), withdrawn, fault.
   double step(const AxialMotion& motion, anatomy::TissueId tissue, TickEvents& events) noexcept;
@@ -54,7 +55,5 @@ class ThreeComponent : public ResistanceDefaults {
   double cutting_ = 0.0, friction_ = 0.0;  // N, of the last tick
   bool inside_ = false, punctured_ = false;
 };
-
-static_assert(ResistanceModel<ThreeComponent>);
 
 }  // namespace bodkin::forces

@@ -9,17 +9,17 @@
 
 namespace bodkin::forces {
 
-// The tissues along a frozen insertion line, in layers of equal thickness. Layer 0 begins at the entry point, each
-// layer carries the tissue at its middle. Layers are looked up once, as the needle reaches them, into memory taken at
-// construction, so that extending the path in the tick costs one look-up a layer and no allocation.
+// The tissues along a frozen insertion line, in layers of equal thickness. Layer 0 begins at the entry point; each
+// layer has the tissue at its middle. Layers are looked up once, as the needle reaches them, into memory allocated at
+// construction, so that extending the path in the tick costs one look-up per layer and no allocation.
 class TissuePath {
  public:
-  // `layer`: mm, > 0. `longest`: mm, the deepest depth that will be asked for.
+  // `layer`: mm, > 0. `longest`: mm, the greatest depth that will be requested.
   TissuePath(double layer, double longest);
 
   // Starts a new line at `entry` along the unit vector `direction` (LPS). Forgets the old layers.
   void restart(const Vec3& entry, const Vec3& direction) noexcept;
-  // Makes the layers up to the one that holds `depth` known (at most `longest`). Beyond the volume is air.
+  // Looks up the layers to the one that contains `depth` (at most `longest`). Outside the volume is air.
   void extend_to(double depth, const anatomy::TissueVolume& tissues) noexcept;
 
   std::span<const anatomy::TissueId> layers() const noexcept { return {layers_.data(), known_}; }

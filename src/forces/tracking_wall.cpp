@@ -101,7 +101,7 @@ double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, T
       clock_.start();
     }
     const double part = std::min(1.0, clock_.advance() * dt_ / settings_.catch_up);
-    wall_ = stop_wall_ + std::max(0.0, stop_depth_ - stop_wall_) * part;  // eq. 6 read as a line
+    wall_ = stop_wall_ + std::max(0.0, stop_depth_ - stop_wall_) * part;  // eq. 6 as a line
   } else if (motion.direction > 0) {
     mode_ = Mode::insert;
     wall_ = std::max(wall_, x - layer.force / layer.stiffness);  // eq. 3, 4
@@ -120,7 +120,7 @@ double TrackingWall::step(const AxialMotion& motion, anatomy::TissueId tissue, T
 
 void require_stable_walls(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings) {
   const anatomy::DeviceLimits& device = patient.description.device;
-  const anatomy::TissueLibrary library = felt_tissues(patient);
+  const anatomy::TissueLibrary library = effective_tissues(patient);
   for (const anatomy::TissueProperties& tissue : library.tissues())
     require_stable("tracking_wall", "the spring of " + tissue.title, tissue.tracking_wall.stiffness, device);
   for (const anatomy::TrackingWallDepthLayer& layer : settings.layers)
@@ -135,7 +135,7 @@ double stiffest_wall(const anatomy::TissueLibrary& library) {
 }
 
 TrackingWall::TrackingWall(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt)
-    : TrackingWall(felt_tissues(patient), settings, dt, patient.description.device.position_resolution) {
+    : TrackingWall(effective_tissues(patient), settings, dt, patient.description.device.position_resolution) {
   require_stable_walls(patient, settings);
 }
 

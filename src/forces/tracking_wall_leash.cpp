@@ -98,7 +98,7 @@ Vec3 TrackingWallLeash::step(const Vec3& tip, const AxialMotion& motion, anatomy
 
 TrackingWallLeash::TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings,
                                      double dt)
-    : TrackingWallLeash(felt_tissues(patient), settings, dt, patient.description.device.position_resolution) {
+    : TrackingWallLeash(effective_tissues(patient), settings, dt, patient.description.device.position_resolution) {
   require_stable_walls(patient, settings);
 }
 
@@ -109,6 +109,15 @@ ResistanceForce TrackingWallLeash::step(const NeedleInTissue& needle, TickEvents
           .across = force + along * direction_,
           .material = (wall_ - entry_).dot(direction_),
           .in_contact = needle.motion.depth > 0.0};
+}
+
+// One name for two models: the wall stays on the line, or may leave it.
+template <>
+ResistanceEntry resistance_with<anatomy::TrackingWallSettings>() {
+  return {TrackingWall::traits, [](const anatomy::Case& patient, double dt) {
+            const auto& settings = std::get<anatomy::TrackingWallSettings>(patient.description.haptics.resistance);
+            return (settings.leash ? entry_of<TrackingWallLeash>() : entry_of<TrackingWall>()).make(patient, dt);
+          }};
 }
 
 }  // namespace bodkin::forces

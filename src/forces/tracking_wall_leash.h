@@ -11,10 +11,11 @@ namespace bodkin::forces {
 //
 //   d = P - W;   if |d| > D: W = P - D d/|d|;   F_hand = -K_t d        D = f_R / K_t
 //
-// Depth is counted along the direction at entry, x = (P - entry) . u. At rest W catches up with P as in TrackingWall.
-// When the tip has backed off until the leash no longer points inwards (d . u <= 0) the force is zero, until x passes
-// the deepest depth of this entry again. Without that rule the leash would be friction that pulls inwards on
-// withdrawal. Uses surface = 0 and ignores `strict` and the memory of channels: another entry begins anew.
+// Depth is measured along the direction at entry, x = (P - entry) . u. At rest W catches up with P as in
+// TrackingWall. When the tip has backed off until the leash no longer points inwards (d . u <= 0) the force is zero,
+// until x passes the deepest depth of this entry again. Without that rule the leash would be friction that pulls
+// inwards on withdrawal. Uses surface = 0 and ignores `strict` and the memory of channels: every entry starts without
+// history.
 class TrackingWallLeash : public ResistanceDefaults {
  public:
   using Settings = anatomy::TrackingWallSettings;
@@ -28,7 +29,7 @@ class TrackingWallLeash : public ResistanceDefaults {
   // 0 = without noise.
   TrackingWallLeash(const anatomy::TissueLibrary& library, const anatomy::TrackingWallSettings& settings, double dt,
                     double resolution = 0.0);
-  // Of a patient: also refuses what the device cannot render stably.
+  // From a patient: also refuses settings that the device cannot render stably.
   TrackingWallLeash(const anatomy::Case& patient, const anatomy::TrackingWallSettings& settings, double dt);
 
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
@@ -54,12 +55,10 @@ class TrackingWallLeash : public ResistanceDefaults {
   Vec3 wall_ = Vec3::Zero();
   Vec3 stop_wall_ = Vec3::Zero(), stop_tip_ = Vec3::Zero();
   StopClock clock_;
-  double stiffness_ = 0.0;  // K_t of the layer that W refers to, N/mm; 0 outside
+  double stiffness_ = 0.0;  // K_t of the layer to which W refers, N/mm; 0 outside
   double deepest_ = 0.0;    // mm
   bool inside_ = false, free_ = false, stopped_ = false;
   double firm_stiffness_;  // of the stiffest tissue, N/mm
 };
-
-static_assert(ResistanceModel<TrackingWallLeash>);
 
 }  // namespace bodkin::forces

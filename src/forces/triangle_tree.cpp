@@ -11,9 +11,9 @@ namespace {
 constexpr std::uint32_t leaf_size = 4;
 constexpr std::size_t deepest = 48;  // boxes waiting at once; halving 2^31 triangles needs 30
 constexpr double behind = 1e-9;      // mm
-constexpr double least_way = 1e-13;  // mm into a plane that is more than the rounding of coordinates of a metre
+constexpr double least_way = 1e-13;  // mm into a plane, more than the rounding of coordinates of a metre
 constexpr double overlap = 1e-7;     // mm
-constexpr double box_margin = 1e-5;  // mm, more than all the others together
+constexpr double box_margin = 1e-5;  // mm, more than all others together
 
 float below(double x) {
   return std::nextafter(static_cast<float>(x - box_margin), -std::numeric_limits<float>::infinity());
@@ -58,7 +58,7 @@ TriangleTree::TriangleTree(const anatomy::Surface& surface) {
   for (const std::uint32_t t : order) sides_.push_back(sides[t]);
 }
 
-// Halves the triangles along the longest edge of the box of their middles, until they fit into a leaf.
+// Halves the triangles along the longest edge of the box of their centres, until they fit into a leaf.
 void TriangleTree::split(std::vector<std::uint32_t>& order, const std::vector<Box>& bounds, std::uint32_t first,
                          std::uint32_t last) {
   Box all = bounds[order[first]];
@@ -101,7 +101,7 @@ void TriangleTree::meet(const Side& side, const Vec3& start, const Vec3& ray, Su
   const double part = std::max(height, 0.0) / drop;
   if (part > best.part || (part == best.part && side.triangle > best.triangle && best.triangle >= 0)) return;
   const Vec3 place = start + part * ray;
-  // A place on a plane that is met at a flat angle is known the less well the flatter it is met.
+  // The flatter the angle at which a plane is met, the less accurate is the place.
   const double reach = overlap + 1e-12 * ray.norm() / drop;
   for (std::size_t i = 0; i < 3; ++i) {
     if (side.edge[i].dot(place) - side.edge_level[i] > reach) return;
@@ -118,7 +118,7 @@ SurfaceHit TriangleTree::first_entry(const Vec3& start, const Vec3& ray) const n
     const double along = ray[static_cast<Eigen::Index>(axis)];
     inverse[axis] = std::abs(along) > 1e-200 ? 1.0 / along : 1e200;  // finite, so that no product is 0 times infinity
   }
-  // Part of the segment at which it comes into the box; more than 1 if it misses it.
+  // Fraction of the segment at which it enters the box; more than 1 if it misses the box.
   const auto entry = [&](const Box& box) {
     double from = 0.0, to = best.part;
     for (std::size_t axis = 0; axis < 3; ++axis) {

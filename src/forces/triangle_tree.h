@@ -9,30 +9,31 @@
 
 namespace bodkin::forces {
 
-// Where a segment first enters a surface.
+// The point where a segment first enters a surface.
 struct SurfaceHit {
   double part = 0.0;           // of the segment, 0 to 1
   Vec3 normal = Vec3::Zero();  // unit, outwards
-  std::int32_t triangle = -1;  // of the surface; -1: the segment enters nowhere
+  std::int32_t triangle = -1;  // of the surface; -1: no entry
 };
 
-// The triangles of a surface in a tree of boxes, to find where a moving point goes in.
+// The triangles of a surface in a tree of boxes, to find where a moving point enters.
 class TriangleTree {
  public:
-  // Takes n log n time. The tree keeps a copy of the triangles.
+  // The cost is n log n. The tree keeps a copy of the triangles.
   explicit TriangleTree(const anatomy::Surface& surface);
 
-  // Where the segment from `start` along `ray` (mm) first passes through a triangle from outside to inside; leaving
-  // is free. A start up to 1e-9 mm behind a triangle still counts as before it, and triangles reach 1e-7 mm beyond
-  // their edges (more at grazing incidence), so that rounding opens no seam between neighbours. Of triangles met at
-  // one place the one with the lowest number is taken. Never throws; nothing for a segment that is not finite.
+  // Where the segment from `start` along `ray` (mm) first passes through a triangle from outside to inside; passages
+  // outwards do not count. A start up to 1e-9 mm behind a triangle still counts as before it, and triangles reach
+  // 1e-7 mm beyond their edges (more at grazing incidence), so that rounding opens no seam between neighbours. If
+  // several triangles are met at one place, the one with the lowest number is returned. Never throws; nothing for a
+  // segment that is not finite.
   SurfaceHit first_entry(const Vec3& start, const Vec3& ray) const noexcept;
 
  private:
   struct Box {
     std::array<float, 3> low, high;  // x, y, z, mm; rounded outwards
     std::uint32_t first;             // leaf: its first triangle; else: its right child, the left one is the next box
-    std::uint32_t count;             // leaf: how many triangles; else 0
+    std::uint32_t count;             // leaf: number of triangles; else 0
   };
   struct Side {
     Vec3 normal;                       // unit, outwards

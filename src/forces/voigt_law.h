@@ -2,7 +2,7 @@
 
 namespace bodkin::forces {
 
-// How the elements of the incremental Voigt law add up.
+// Interpretation of the sum over the elements of the incremental Voigt law.
 enum class VoigtSum {
   cubic,     // eq. 2 as printed: E(x) = k dx a (a+1)(a+2)/6, damping a rho
   piecewise  // the text before eq. 2: an equal element joins at every multiple of dx
@@ -39,7 +39,7 @@ class VoigtLaw {
   // Eq. 4, for both signs of x: an odd spring and an even, never negative damper.
   double grip(double x, double v) const noexcept;
 
-  // The same forces over a deformation 1/factor as long, so `factor` times as stiff: E'(x) = E(factor x).
+  // The same forces over a deformation shorter by `factor`, so a law stiffer by `factor`: E'(x) = E(factor x).
   VoigtLaw softened(double factor) const noexcept { return {sum_, k_ * factor, rho_, dx_ / factor}; }
 
  private:

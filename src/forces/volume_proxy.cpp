@@ -71,8 +71,8 @@ anatomy::ProxyProperties VolumeProxy::properties(const FieldSample& here) const 
   return blend(below->properties, above->properties, (here.value - below->value) / (above->value - below->value));
 }
 
-// What was held back goes on at release_speed, however often a tick comes: as far as the tip has moved in the tick,
-// and that much farther.
+// A proxy that was held back advances at release_speed at any tick rate: as far as the tip has moved in the tick,
+// plus that step.
 Vec3 VolumeProxy::released(const Vec3& wanted, const Vec3& tip) const noexcept {
   const Vec3 move = wanted - proxy_;
   const double length = move.norm(), most = (tip - last_tip_).norm() + release_speed * dt_;
@@ -111,7 +111,7 @@ Vec3 VolumeProxy::step(const Vec3& tip, const Rail* rail, TickEvents& events) no
 
 VolumeProxy::VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings,
                          std::unique_ptr<HapticField> field, double dt)
-    : VolumeProxy(felt_tissues(patient), settings, *field, dt) {
+    : VolumeProxy(effective_tissues(patient), settings, *field, dt) {
   own_field_ = std::move(field);
 }
 
@@ -135,6 +135,11 @@ ResistanceForce VolumeProxy::step(const NeedleInTissue& needle, TickEvents& even
           .stiffness = settings_.stiffness,
           .material = (proxy_ - entry_).dot(direction_),
           .in_contact = needle.motion.depth > 0.0};
+}
+
+template <>
+ResistanceEntry resistance_with<anatomy::VolumeProxySettings>() {
+  return entry_of<VolumeProxy>();
 }
 
 }  // namespace bodkin::forces

@@ -28,17 +28,17 @@ Vec3 advance_proxy(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const
 //   F_hand = -k (x_t - x_p)                               eq. 1
 //
 // With drag, the proxy moves in a tick as far as the tip does and at most 200 mm/s (our choice) farther, so that a
-// force that is let go falls in the same time at every rate; the viscosity of the other variant does that by itself.
+// released force falls in the same time at every rate; the viscosity of the other variant has the same effect.
 //
 // T_N is scaled by smoothstep(|grad V|/g_ref), so that walls fade with their gradient. Every move of the proxy
-// shortens d, so stored energy is only given up: passive. With a rail the proxy is projected onto the insertion line
-// before the force is taken. Readings: docs/models/volume_proxy.md.
+// shortens d, so stored energy is only released: passive. With a rail the proxy is projected onto the insertion line
+// before the force is computed. Readings: docs/models/volume_proxy.md.
 class VolumeProxy : public ResistanceDefaults {
  public:
   using Settings = anatomy::VolumeProxySettings;
   static constexpr ResistanceTraits traits = {
       .name = "volume_proxy",
-      .holds_laterally = true,
+      .has_lateral_force = true,
       .passes_layers = true,
       .diagnostics = {{{"proxy_x_mm", "proxy, L"}, {"proxy_y_mm", "proxy, P"}, {"proxy_z_mm", "proxy, S"}}},
   };
@@ -46,7 +46,7 @@ class VolumeProxy : public ResistanceDefaults {
   // Throws InputError for a setting outside its range. `dt`: s, 1e-6 to 0.1. `field` must outlive the object.
   VolumeProxy(const anatomy::TissueLibrary& library, const anatomy::VolumeProxySettings& settings,
               const HapticField& field, double dt);
-  // Of a patient, whose field it makes and keeps: also refuses what the device cannot render stably.
+  // From a patient, whose field it computes and owns: also refuses settings that the device cannot render stably.
   VolumeProxy(const anatomy::Case& patient, const anatomy::VolumeProxySettings& settings, double dt);
 
   // Force on the hand, LPS N, at most `limit`. `rail`: nullptr = the tip is free. The first call puts the proxy at
@@ -76,7 +76,5 @@ class VolumeProxy : public ResistanceDefaults {
   Vec3 direction_ = Vec3::UnitZ();  // of it
   bool placed_ = false;
 };
-
-static_assert(ResistanceModel<VolumeProxy>);
 
 }  // namespace bodkin::forces

@@ -8,12 +8,12 @@
 
 namespace bodkin::simulation {
 
-// Bone before the tip of a needle in a deformable body, whose bone does not move and so has no nodes to push: a
-// spring from where the tip met it, that never breaks. The needle in the body stays there, at the bone's surface, so
-// that the device renders one stiffness at a time.
+// Bone in front of the tip of a needle in a deformable body, whose bone does not move and so has no nodes to push: a
+// spring from the point where the tip met it, that never breaks. The needle in the body stays there, at the bone's
+// surface, so that the device renders one stiffness at a time.
 class BoneWall {
  public:
-  // No stiffer than the patient's device renders.
+  // At most as stiff as the patient's device renders.
   explicit BoneWall(const anatomy::Case& patient) {
     for (const anatomy::TissueProperties& tissue : patient.library.tissues()) {
       if (tissue.layered.kind == anatomy::LayeredKind::rigid)
@@ -22,7 +22,7 @@ class BoneWall {
   }
 
   // N along the line, positive pushes out. `depth`: mm of the tip along the line; `at`: its tissue. The surface stays
-  // where the tip met it until the tip is before it and out of the bone.
+  // where the tip met it until the tip is in front of it and out of the bone.
   double step(double depth, anatomy::TissueId at, forces::TickEvents& events) noexcept {
     if (!met_ && stiffness_[at] > 0.0) {
       met_ = true;

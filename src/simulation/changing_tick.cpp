@@ -22,7 +22,7 @@ void mix(Wrench& now, const Wrench& before, double share) noexcept {
 
 ChangingTick::ChangingTick(HapticTick& first) noexcept : now_(&first) {}
 
-bool ChangingTick::take(HapticTick& next) noexcept {
+bool ChangingTick::switch_to(HapticTick& next) noexcept {
   if (is_settling()) return false;
   before_ = std::exchange(now_, &next);
   steps_ = std::max(1, static_cast<int>(std::lround(blend_time / next.dt())));

@@ -7,18 +7,18 @@
 
 namespace bodkin::simulation {
 
-// An operator's hand in the patient: the operator means, the hand moves, the tick finds the force, the hand feels it
-// one tick later. A patient who breathes is asked to hold the breath all the time. Equal cases, scripts, paths and
-// seeds give equal bits. step() allocates nothing and locks nothing; the patient must outlive the loop.
+// An operator's hand in the patient: the operator intends, the hand moves, the tick computes the force, and the hand
+// feels it one tick later. A breathing patient is asked to hold the breath all the time. Equal cases, scripts, paths
+// and seeds give equal bits. step() allocates nothing and locks nothing; the patient must outlive the loop.
 class ClosedLoop {
  public:
-  // Throws InputError for a script, a path or a patient that cannot be used.
+  // Throws InputError for an invalid script, path or patient.
   ClosedLoop(const anatomy::Case& patient, const OperatorScript& script, const anatomy::NeedlePath& path,
              std::uint64_t seed);
 
-  // One tick; what happened is put into `record`.
+  // One tick; its result is written to `record`.
   void step(TickRecord& record) noexcept;
-  // The operator has come to the end of the script.
+  // Whether the operator has reached the end of the script.
   bool finished() const noexcept { return operator_.finished(); }
   // The operator's present phase, see Operator::phase.
   int phase() const noexcept { return operator_.phase(); }

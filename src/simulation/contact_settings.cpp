@@ -12,8 +12,8 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double least_friction_share = 0.1;  // of the device's stiffness, left to the friction's spring
-constexpr double least_presliding = 0.01;     // N/mm, that ClosestNodeContact takes
+constexpr double least_friction_share = 0.1;  // of the device's stiffness, reserved for the friction's spring
+constexpr double least_presliding = 0.01;     // N/mm, the limit of ClosestNodeContact
 
 template <typename Settings>
 void give_live_numbers(Settings& to, const Settings& from) {
@@ -52,7 +52,7 @@ bool same_constraint(const anatomy::ConstraintSettings& a, const anatomy::Constr
 
 fem::ContactTissues contact_tissues(const anatomy::Case& patient) {
   fem::ContactTissues tissues;
-  const anatomy::TissueLibrary library = forces::felt_tissues(patient);
+  const anatomy::TissueLibrary library = forces::effective_tissues(patient);
   for (const anatomy::TissueProperties& tissue : library.tissues()) {
     const anatomy::DeformableTissue& here = tissue.deformable;
     tissues[tissue.id] = {.friction = here.friction,
@@ -63,7 +63,7 @@ fem::ContactTissues contact_tissues(const anatomy::Case& patient) {
   return tissues;
 }
 
-// What is stiffer than the device can render is as stiff as it can, and leaves some of that to the friction.
+// Tissue too stiff for the device becomes as stiff as the device can render, minus a share for the friction.
 fem::ContactNumbers contact_numbers(const anatomy::Case& patient, const anatomy::ClosestNodeSettings& settings) {
   bodkin::check(settings, "closest_node");
   fem::ContactNumbers numbers;

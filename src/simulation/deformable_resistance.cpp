@@ -16,7 +16,7 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double least_cosine = 0.2;  // between needle and line, as EmbeddedNeedle takes it
+constexpr double least_cosine = 0.2;  // between needle and line, as in EmbeddedNeedle
 
 // The contact points of the planned line, or the nodes of the corridor, as the resistance needs them.
 const std::shared_ptr<const anatomy::CondensedBody>& body_in(const anatomy::Case& patient, bool of_points) {
@@ -33,8 +33,8 @@ double stiffness_on_path(const anatomy::CondensedBody& body, const anatomy::Need
                               settings.most_nodes);
 }
 
-// The body on a spring: moving all nodes alike is what the hand does, so to every pair of them the spring's
-// compliance is added.
+// The body on a spring: it moves all nodes alike, like the hand, so the spring's compliance is added to every pair of
+// nodes.
 std::shared_ptr<const anatomy::CondensedBody> on_spring(const std::shared_ptr<const anatomy::CondensedBody>& body,
                                                         double compliance) {
   if (compliance == 0.0) return body;
@@ -54,7 +54,7 @@ fem::NeedleRelaxation relaxation_in(const anatomy::Case& patient, double spring)
   return {patient.description.haptics.parts.relaxation, spring};
 }
 
-// The needle of the case as a beam; none when it is to be rigid.
+// The needle of the case as a beam; none for a rigid needle.
 std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anatomy::NeedleBendingSettings& settings) {
   const anatomy::Needle& needle = patient.description.needle;
   if (settings.cut_offset > 0.0 && !settings.flexible) {
@@ -75,7 +75,7 @@ std::optional<fem::NeedleBeam> beam_in(const anatomy::Case& patient, const anato
                           .cut_offset = settings.cut_offset});
 }
 
-// mm along the line: the depth at rest of what the tip touches, behind every border that has given way.
+// mm along the line: the rest depth of the tissue at the tip, behind every border that has given way.
 double material_in(const fem::EmbeddedNeedleForce& found) noexcept {
   return std::max(found.material_depth, found.opened_depth + 2.0 * beside_boundary);
 }
@@ -156,17 +156,17 @@ forces::ResistanceForce DeformableShaft::step(const forces::NeedleInTissue& need
   pose.linear().col(1) = needle.axis.cross(needle.side);
   pose.linear().col(2) = needle.axis;
   const fem::EmbeddedNeedleForce& found = needle_->step(pose, bone_.behind());
-  ahead_ = -short_of - spring_ * found.on_hand.force;
+  coupling_offset_ = -short_of - spring_ * found.on_hand.force;
   tip_force_ = found.tip_force;
   nodes_ = static_cast<double>(found.nodes);
   report(found.puncture, events);
   puncture_ = found.puncture;
   const bool beyond = found.beyond && !growing_;
-  if (beyond && !beyond_ && !bone_.met())  // at bone the points end, for it does not move
+  if (beyond && !beyond_ && !bone_.met())  // at bone the points end, as it does not move
     events.push({forces::EventKind::points_passed, needle.tissue, needle.motion.depth, 0.0});
   beyond_ = beyond;
   const Vec3 across = found.on_hand.force + found.resistance * direction_;
-  const Vec3 square = across - across.dot(line) * direction_;  // to the needle; what turns it
+  const Vec3 square = across - across.dot(line) * direction_;  // to the needle; its torque
   return {.along = found.resistance + bone,
           .across = across,
           .torque = found.on_hand.torque + short_of.cross(square),
@@ -197,7 +197,7 @@ void DeformableTip::begin(const Vec3& entry, const Vec3& direction) noexcept {
     const double depth = fem::ClosestNodeContact::layer_step * static_cast<double>(i);
     line_[i] = anatomy::nearest<anatomy::TissueId>(tissues_, Vec3(entry + depth * direction), anatomy::tissue::air);
   }
-  if (change_.goes_on()) contact_->set_numbers(change_.last());
+  if (change_.is_active()) contact_->set_numbers(change_.last());
   contact_->begin(entry, direction, line_);
   bone_.reset();
   entry_ = entry;
@@ -217,7 +217,7 @@ void DeformableTip::reset() noexcept {
 
 forces::ResistanceForce DeformableTip::step(const forces::NeedleInTissue& needle,
                                             forces::TickEvents& events) noexcept {
-  if (change_.goes_on()) contact_->set_numbers(change_.next());
+  if (change_.is_active()) contact_->set_numbers(change_.next());
   const double bone = bone_.step(needle.motion.depth, needle.tissue, events);
   const fem::ClosestNodeForce found = contact_->step(needle.tip - bone_.behind() * direction_);
   report(found.puncture, events);

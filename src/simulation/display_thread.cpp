@@ -27,9 +27,9 @@ DisplayThread::DisplayThread(std::unique_ptr<fem::GrowingField> field, double ra
       thread_([this, pace = checked_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
 void DisplayThread::hold(std::span<const std::uint32_t> nodes) {
-  if (std::ranges::equal(nodes, told_held_)) return;
-  told_held_.assign(nodes.begin(), nodes.end());
-  held_.write(told_held_);
+  if (std::ranges::equal(nodes, reported_held_)) return;
+  reported_held_.assign(nodes.begin(), nodes.end());
+  held_.write(reported_held_);
 }
 
 void DisplayThread::show(std::unique_ptr<fem::GrowingField> field) {

@@ -15,16 +15,16 @@
 
 namespace bodkin::simulation {
 
-// Snapshot for display: how the visible points of a body have moved.
+// Snapshot for display: the displacements of a body's visible points.
 struct DisplaySnapshot {
   std::uint64_t frame = 0;           // counts the snapshots made; 0: none yet
   std::uint64_t field = 0;           // counts the calls of DisplayThread::show()
-  std::vector<float> displacements;  // mm, x y z of every point in turn
-  double left_out = 0.0;             // N of the needle's forces on nodes that have no columns, which the field omits
+  std::vector<float> displacements;  // mm, x y z of every point, one point after another
+  double left_out = 0.0;             // N of the needle's forces on nodes without columns, which the display omits
 };
 
-// Computes the displacements for display repeatedly on a thread of its own, from the newest forces of the tick.
-// Neither the tick nor the drawing thread ever waits: both exchange values through LatestValue.
+// Computes the displacements for display repeatedly on its own thread, from the newest forces of the tick. Neither
+// the tick nor the drawing thread ever waits: both exchange values through LatestValue.
 class DisplayThread {
  public:
   // `rate`: snapshots per second, 1 to 1000. Throws InputError for another rate.
@@ -33,9 +33,9 @@ class DisplayThread {
 
   // The tick's thread only; wait-free.
   void set_forces(const fem::NodeForces& forces) noexcept { forces_.write(forces); }
-  // The drawing thread only: nodes of the mesh that something holds (GrowingField::hold).
+  // The drawing thread only: nodes of the mesh held by something (GrowingField::hold).
   void hold(std::span<const std::uint32_t> nodes);
-  // The drawing thread only: from now on the snapshots are of this field, all at rest until the first is made.
+  // The drawing thread only: from now on the snapshots show this field, at rest until its first one is computed.
   void show(std::unique_ptr<fem::GrowingField> field);
   // The drawing thread only: the newest snapshot, unchanged until the next call.
   const DisplaySnapshot& snapshot() noexcept;
@@ -47,10 +47,10 @@ class DisplayThread {
   std::unique_ptr<fem::GrowingField> field_;
   LatestValue<fem::NodeForces> forces_;
   LatestValue<std::vector<std::uint32_t>> held_;
-  std::vector<std::uint32_t> told_held_;  // of the drawing thread
+  std::vector<std::uint32_t> reported_held_;  // used by the drawing thread
   LatestValue<DisplaySnapshot> snapshots_;
-  DisplaySnapshot at_rest_;  // of the drawing thread: until the first snapshot of the newest field
-  std::mutex lock_;          // guards the two below; the tick never takes it
+  DisplaySnapshot at_rest_;  // used by the drawing thread until the first snapshot of the newest field
+  std::mutex lock_;          // guards the next two members; the tick never takes it
   std::unique_ptr<fem::GrowingField> next_;
   std::uint64_t next_field_ = 0;
   std::jthread thread_;  // the last member: it uses the others

@@ -1,8 +1,10 @@
 #include "simulation/force_part.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "core/repeatable.h"
 #include "forces/bevel_tip.h"
@@ -15,12 +17,15 @@ namespace {
 
 constexpr double longest_path = 400.0;  // mm
 
-// The tissue pulls the tip to where its bevel would have gone, had the hand let it (BevelTip):
+// The tissue pulls the tip towards the free path of its bevel (BevelTip):
 //
 //   F = k w, |F| <= limit      w from the tip across the line to the tip of the free path
 class BevelTipPart final : public ForcePart {
  public:
-  explicit BevelTipPart(const anatomy::BevelTipSettings& settings)
+  static constexpr std::array<forces::DiagnosticName, 2> diagnostics = {
+      {{"bevel_aside_mm", "path of the bevel beside the line"}, {"bevel_N", "pull of the tissue on the bevel"}}};
+
+  BevelTipPart(const anatomy::BevelTipSettings& settings, const anatomy::Case& /*patient*/, double /*dt*/)
       : settings_(settings), path_(settings.curvature, longest_path) {
     bodkin::check(settings, "bevel_tip");
   }
@@ -50,11 +55,10 @@ class BevelTipPart final : public ForcePart {
     force.across += pull;
   }
 
-  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
     values[0] = aside_;
     values[1] = force_;
-    return 2;
+    return diagnostics.size();
   }
 
  private:
@@ -85,12 +89,25 @@ class BevelTipPart final : public ForcePart {
   double aside_ = 0.0, force_ = 0.0;  // mm, N, of the last tick
 };
 
-// Fluid comes back through the needle while its tip is in cerebrospinal fluid.
+// Settings for flow through the needle of the case.
+template <typename Settings>
+Settings with_needle(Settings settings, const anatomy::Needle& needle) {
+  settings.needle_bore = needle.inner_diameter;
+  settings.needle_length = needle.length;
+  return settings;
+}
+
+// Fluid returns through the needle while its tip is in cerebrospinal fluid.
 class CsfFlowPart final : public ForcePart {
  public:
-  CsfFlowPart(const anatomy::CsfFlowSettings& settings, const anatomy::Needle& needle, double dt)
+  static constexpr std::array<forces::DiagnosticName, 3> diagnostics = {
+      {{"csf_flow_mm3_s", "flow of cerebrospinal fluid"},
+       {"csf_height_mm", "fluid in the manometer"},
+       {"csf_collected_mm3", "fluid that has dripped"}}};
+
+  CsfFlowPart(const anatomy::CsfFlowSettings& settings, const anatomy::Case& patient, double dt)
       : settings_(settings),
-        flow_(with_needle(settings, needle), dt),
+        flow_(with_needle(settings, patient.description.needle), dt),
         stylet_(settings.stylet),
         manometer_(settings.manometer) {}
 
@@ -99,85 +116,81 @@ class CsfFlowPart final : public ForcePart {
     state_ = {};
     stylet_ = settings_.stylet;
     manometer_ = settings_.manometer;
-    told_ = read_ = dripping_ = false;
-    told_collected_ = 0.0;
+    reported_ = read_ = dripping_ = false;
+    reported_collected_ = 0.0;
   }
   void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
             forces::TickEvents& events) noexcept override {
-    const auto tell = [&](forces::EventKind kind, double value) {
+    const auto report = [&](forces::EventKind kind, double value) {
       events.push({kind, needle.tissue, needle.motion.depth, value});
     };
     if (const bool stylet = settings_.stylet != needle.stylet_moved; stylet != stylet_) {
       stylet_ = stylet;
-      tell(stylet ? forces::EventKind::stylet_in : forces::EventKind::stylet_out, 0.0);
+      report(stylet ? forces::EventKind::stylet_in : forces::EventKind::stylet_out, 0.0);
     }
     if (const bool manometer = settings_.manometer != needle.manometer_moved; manometer != manometer_) {
       manometer_ = manometer;
-      tell(manometer ? forces::EventKind::manometer_on : forces::EventKind::manometer_off, state_.height);
+      report(manometer ? forces::EventKind::manometer_on : forces::EventKind::manometer_off, state_.height);
       if (!manometer) flow_.empty_manometer();
       read_ = false;
     }
     const double open = needle.tissue == anatomy::tissue::cerebrospinal_fluid ? 1.0 : 0.0;
     state_ = manometer_ ? flow_.step_manometer(open, stylet_) : flow_.step_drip(open, stylet_);
     const bool flows = open > 0.0 && !stylet_ && state_.flow > 0.0;
-    if (flows && !told_) {
-      told_ = true;
-      tell(forces::EventKind::fluid_returned, state_.flow);
+    if (flows && !reported_) {
+      reported_ = true;
+      report(forces::EventKind::fluid_returned, state_.flow);
     }
     if (manometer_ && flows && !read_ && state_.height >= settled * flow_.pressure()) {
       read_ = true;
-      tell(forces::EventKind::pressure_read, state_.height);
+      report(forces::EventKind::pressure_read, state_.height);
     }
     const bool dripped = dripping_;
     dripping_ = flows && !manometer_;
     const double wholes = std::floor(state_.collected / millilitre) * millilitre;
-    if ((dripped && !dripping_) || wholes > told_collected_) {
-      told_collected_ = wholes;
-      tell(forces::EventKind::fluid_collected, state_.collected);
+    if ((dripped && !dripping_) || wholes > reported_collected_) {
+      reported_collected_ = wholes;
+      report(forces::EventKind::fluid_collected, state_.collected);
     }
   }
-  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
     values[0] = state_.flow;
     values[1] = state_.height;
     values[2] = state_.collected;
-    return 3;
+    return diagnostics.size();
   }
 
  private:
-  static constexpr double settled = 0.98;       // of the pressure, from where a column is read
+  static constexpr double settled = 0.98;       // of the pressure, above which a column is read
   static constexpr double millilitre = 1000.0;  // mm^3
-
-  static anatomy::CsfFlowSettings with_needle(anatomy::CsfFlowSettings settings, const anatomy::Needle& needle) {
-    settings.needle_bore = needle.inner_diameter;
-    settings.needle_length = needle.length;
-    return settings;
-  }
 
   anatomy::CsfFlowSettings settings_;
   forces::CsfFlow flow_;
   forces::CsfState state_;
   bool stylet_, manometer_;  // as they are now
-  bool told_ = false;        // that fluid returned
+  bool reported_ = false;    // that fluid returned
   bool read_ = false;        // since the manometer was connected
   bool dripping_ = false;
-  double told_collected_ = 0.0;  // mm^3, whole millilitres
+  double reported_collected_ = 0.0;  // mm^3, whole millilitres
 };
 
-// A thumb that presses the plunger (Syringe), as far as the barrel goes. Its force is the hand's, or the case's where
-// no hand says otherwise:
+// A thumb that presses the plunger (Syringe) to the end of the barrel. Its force is the hand's, or else the case's:
 //
 //   s' = max(0, F_thumb - F) / b          b = 2 N s/mm, of the thumb: its own damping, our choice
 class SyringePart final : public ForcePart {
  public:
-  SyringePart(const anatomy::SyringeSettings& settings, const anatomy::TissueLibrary& library,
-              const anatomy::Needle& needle, double dt)
-      : settings_(settings), dt_(dt), syringe_(library, with_needle(settings, needle), dt) {}
+  static constexpr std::array<forces::DiagnosticName, 2> diagnostics = {
+      {{"syringe_pressure_MPa", "pressure in the syringe"}, {"plunger_mm", "travel of the plunger"}}};
+
+  SyringePart(const anatomy::SyringeSettings& settings, const anatomy::Case& patient, double dt)
+      : settings_(settings),
+        dt_(dt),
+        syringe_(patient.library, with_needle(settings, patient.description.needle), dt) {}
 
   void begin(const Vec3&, const Vec3&) noexcept override {
     syringe_.reset();
     travel_ = highest_ = 0.0;
-    told_ = false;
+    reported_ = false;
   }
   void step(const forces::NeedleInTissue& needle, forces::ResistanceForce&,
             forces::TickEvents& events) noexcept override {
@@ -187,60 +200,53 @@ class SyringePart final : public ForcePart {
     const forces::SyringeState& state = syringe_.step(speed, needle.tissue);
     travel_ = std::min(barrel, travel_ + speed * dt_);
     highest_ = std::max(highest_, state.pressure);
-    if (told_ || highest_ < least_pressure || state.pressure > 0.5 * highest_ || travel_ >= barrel) return;
-    told_ = true;
+    if (reported_ || highest_ < least_pressure || state.pressure > 0.5 * highest_ || travel_ >= barrel) return;
+    reported_ = true;
     events.push({forces::EventKind::pressure_lost, needle.tissue, needle.motion.depth, highest_ - state.pressure});
   }
-  void reset() noexcept override { begin(Vec3::Zero(), Vec3::UnitZ()); }
   std::size_t publish(std::span<double> values) const noexcept override {
     values[0] = syringe_.state().pressure;
     values[1] = travel_;
-    return 2;
+    return diagnostics.size();
   }
 
  private:
   static constexpr double thumb_damping = 2.0;     // N s/mm
   static constexpr double barrel = 60.0;           // mm
-  static constexpr double least_pressure = 0.005;  // MPa: less is no wall that could be lost
-
-  static anatomy::SyringeSettings with_needle(anatomy::SyringeSettings settings, const anatomy::Needle& needle) {
-    settings.needle_bore = needle.inner_diameter;
-    settings.needle_length = needle.length;
-    return settings;
-  }
+  static constexpr double least_pressure = 0.005;  // MPa: less is no loss of resistance
 
   anatomy::SyringeSettings settings_;
   double dt_;
   forces::Syringe syringe_;
   double travel_ = 0.0;   // mm
   double highest_ = 0.0;  // MPa
-  bool told_ = false;
+  bool reported_ = false;
 };
+
+// The list of these parts, in the order in which they publish: calls visit(std::type_identity<Part>, settings) for
+// those that the case has.
+void for_each_part(const anatomy::ForceParts& parts, const auto& visit) {
+  if (parts.bevel_tip) visit(std::type_identity<BevelTipPart>(), *parts.bevel_tip);
+  if (parts.csf_flow) visit(std::type_identity<CsfFlowPart>(), *parts.csf_flow);
+  if (parts.syringe) visit(std::type_identity<SyringePart>(), *parts.syringe);
+}
 
 }  // namespace
 
 std::vector<std::unique_ptr<ForcePart>> make_force_parts(const anatomy::Case& patient, double dt) {
-  const anatomy::ForceParts& parts = patient.description.haptics.parts;
-  const anatomy::Needle& needle = patient.description.needle;
   std::vector<std::unique_ptr<ForcePart>> made;
-  if (parts.bevel_tip) made.push_back(std::make_unique<BevelTipPart>(*parts.bevel_tip));
-  if (parts.csf_flow) made.push_back(std::make_unique<CsfFlowPart>(*parts.csf_flow, needle, dt));
-  if (parts.syringe) made.push_back(std::make_unique<SyringePart>(*parts.syringe, patient.library, needle, dt));
+  for_each_part(patient.description.haptics.parts,
+                [&]<typename Part>(std::type_identity<Part>, const auto& settings) {
+                  made.push_back(std::make_unique<Part>(settings, patient, dt));
+                });
   return made;
 }
 
 std::vector<forces::DiagnosticName> force_part_diagnostics(const anatomy::ForceParts& parts) {
   std::vector<forces::DiagnosticName> names;
-  if (parts.bevel_tip)
-    names.insert(names.end(), {{"bevel_aside_mm", "path of the bevel beside the line"},
-                               {"bevel_N", "pull of the tissue on the bevel"}});
-  if (parts.csf_flow)
-    names.insert(names.end(), {{"csf_flow_mm3_s", "flow of cerebrospinal fluid"},
-                               {"csf_height_mm", "fluid in the manometer"},
-                               {"csf_collected_mm3", "fluid that has dripped"}});
-  if (parts.syringe)
-    names.insert(names.end(),
-                 {{"syringe_pressure_MPa", "pressure in the syringe"}, {"plunger_mm", "travel of the plunger"}});
+  for_each_part(parts, [&names]<typename Part>(std::type_identity<Part>, const auto&) {
+    names.insert(names.end(), Part::diagnostics.begin(), Part::diagnostics.end());
+  });
   return names;
 }
 

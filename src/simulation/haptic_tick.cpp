@@ -25,13 +25,13 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double farthest_tip = 1e5;   // mm from the origin; further away the pose is an error of the device
+constexpr double farthest_tip = 1e5;   // mm from the origin; farther, the pose is an error of the device
 constexpr double tissue_slack = 0.2;   // mm that the tip must move before another change of tissue is an event
-constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is an event again
+constexpr int limit_event_rest = 100;  // ticks without intervention before the next one is a new event
 constexpr std::uint8_t interventions =
     haptics::force_limit::passivity | haptics::force_limit::peak | haptics::force_limit::thermal;
 
-// As declared, but that a program may simulate a stronger device than a case file can state.
+// As declared, except that a program may simulate a stronger device than a case file can state.
 void check_device(const anatomy::DeviceLimits& device) {
   for_each_parameter(
       [](const auto& parameter, const auto& value) {
@@ -123,32 +123,32 @@ struct HapticTick::State {
   NeedleBow bow;
   OrganRelease organs;
   NeedleContact contact;
-  std::optional<Breath> breath;  // nothing: nobody breathes
+  std::optional<Breath> breath;  // empty: nobody breathes
   std::optional<forces::Fingertip> finger;
-  bool finger_is_down = false;  // in the needle's place
+  bool finger_is_down = false;  // in place of the needle
   LossOfResistance loss;
   Vec3 last_tip = Vec3::Zero();
   bool seen = false;                                   // there was a tick before
   anatomy::TissueId announced = anatomy::tissue::air;  // tissue of the last tissue_entered
   Vec3 announced_at = Vec3::Zero();                    // LPS mm
   bool anything_announced = false;
-  int quiet_ticks = limit_event_rest;  // since the governor last intervened
-  TickOutput last;                     // what is repeated while a fault lasts
+  int quiet_ticks = limit_event_rest;  // since the governor's last intervention
+  TickOutput last;                     // repeated while a fault lasts
 
-  // `axis`: that of the needle, unit.
+  // `axis`: the needle's, unit.
   TickOutput step(const TickInput& input, const Vec3& axis) noexcept;
   TickOutput feel(const Vec3& tip, const Vec3& axis, double advance) noexcept;
   void announce_tissue(const Vec3& tip, TickOutput& output) noexcept;
   void announce_limits(const Vec3& wanted, TickOutput& output) noexcept;
   TickOutput fault() noexcept;
-  // Where the device holds a tip of the material.
+  // The device's position for a tip in the material.
   Vec3 hand(const Vec3& tip) const noexcept { return breath ? Vec3(tip + breath->of_tip) : tip; }
   void place_tip(forces::NeedleInTissue& needle) noexcept;
   double follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
                        TickOutput& output) noexcept;
 };
 
-// Where the tip of a needle is that may bow.
+// The tip of a needle that may bow.
 void HapticTick::State::place_tip(forces::NeedleInTissue& needle) noexcept {
   needle.motion = bow.tip_motion(needle.motion);
   if (bow.bow() == 0.0) return;
@@ -156,7 +156,7 @@ void HapticTick::State::place_tip(forces::NeedleInTissue& needle) noexcept {
   needle.tissue = anatomy::nearest<anatomy::TissueId>(patient.tissues, needle.tip, anatomy::tissue::air);
 }
 
-// Tissue and events of the deformed material; N of the resistance that reach the hand.
+// Tissue and events of the deformed material; N of the resistance at the hand.
 double HapticTick::State::follow_layers(const forces::NeedleInTissue& needle, const forces::ResistanceForce& found,
                                         TickOutput& output) noexcept {
   output.tissue = layers.step(output.depth, needle.tissue, found, output.events);
@@ -186,7 +186,7 @@ void HapticTick::State::announce_limits(const Vec3& wanted, TickOutput& output) 
   quiet_ticks = 0;
 }
 
-// The models rest, the force fades. Only reset() leads out.
+// The models rest, the force fades. Only reset() ends this state.
 TickOutput HapticTick::State::fault() noexcept {
   TickOutput output = last;
   output.events.clear();
@@ -257,7 +257,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
     body->approach(tip, axis);
   }
 
-  // Free, the estimator follows the motion along the needle; held, the depth along the frozen line.
+  // Outside, the estimator follows the motion along the needle; in contact, the depth along the frozen line.
   const AxialMotion moving = motion.step(contact.held() ? contact.depth(tip) : motion.depth() + advance);
   output.velocity = moving.velocity;
 
@@ -291,7 +291,7 @@ TickOutput HapticTick::State::step(const TickInput& input, const Vec3& axis) noe
           share * along + hub.step(moving.depth, stiffness, output.tissue, output.events);
       const bool feels_flavum = deforms && layers.felt() == anatomy::tissue::ligamentum_flavum;
       loss.step(needle.motion, feels_flavum ? layers.felt() : output.tissue, tissue_force.along, output.events);
-      const Wrench held = constraint.step(tip, axis, resistance.holds_laterally());
+      const Wrench held = constraint.step(tip, axis, resistance.has_lateral_force());
       request.constraint = share * Vec3(tissue_force.across + held.force);
       request.torque = output.requested.torque = share * Vec3(tissue_force.torque + held.torque);
       output.constraint = request.constraint.norm();
@@ -329,7 +329,7 @@ void HapticTick::hold_breath() noexcept {
   state_->breath.reset();
 }
 
-void HapticTick::set_breath(const anatomy::BreathMoment& moment) noexcept {
+void HapticTick::set_breath(const anatomy::BreathState& moment) noexcept {
   if (state_->breath) state_->breath->clock.set(moment);
 }
 
@@ -371,7 +371,7 @@ TickOutput HapticTick::step(const TickInput& input) noexcept {
     output.drawn_in = state.breath->clock.drawn_in();
     output.breath = state.breath->clock.moment();
   }
-  if (state.governor.failed()) {  // a model gave something that is not a number: keep what was known before
+  if (state.governor.failed()) {  // a model returned a non-finite number: keep the previous values
     state.last.events.clear();
     state.last.requested = Wrench{};
     state.last.resistance = state.last.constraint = state.last.velocity = 0.0;

@@ -9,12 +9,12 @@
 
 namespace bodkin::simulation {
 
-// The one function that a servo calls a thousand times a second: needle in tissue to force on the hand, through the
-// governor. Deterministic: the same case and the same inputs give the same bits. step() allocates nothing, locks
-// nothing, throws nothing and reads no clock; the case must outlive the object.
+// The one function that a servo calls a thousand times a second: from the needle in tissue to the force on the hand,
+// through the governor. Deterministic: the same case and the same inputs give the same bits. step() allocates
+// nothing, locks nothing, throws nothing and reads no clock; the case must outlive the object.
 //
 // A patient who breathes (anatomy::Breathing) does so in the time of the ticks. The models see the needle in the
-// material: where it would be if the tissue at its tip had not moved. Depths and tissues are those of the material.
+// material: where it would be if the tissue at its tip had not moved. Depths and tissues refer to the material.
 class HapticTick {
  public:
   // Throws InputError when the case's parameters make a model impossible or the case has no tissues.
@@ -24,23 +24,23 @@ class HapticTick {
   HapticTick& operator=(HapticTick&&) noexcept;
 
   TickOutput step(const TickInput& input) noexcept;
-  // The deformable body that the needle meets; null for a resistance without one. Valid as long as this.
+  // The deformable body that the needle meets; null for a resistance without one. Valid as long as this object.
   BodyPort* body() noexcept;
 
-  // Before the ticks: the patient holds the breath for ever, for curves of tissue at rest.
+  // Before the ticks: the patient holds the breath permanently, for curves of tissue at rest.
   void hold_breath() noexcept;
 
-  // Before the ticks: the patient is in the midst of breathing, for a tick that takes over from another.
-  void set_breath(const anatomy::BreathMoment& moment) noexcept;
+  // Before the ticks: sets the state of breathing, for a tick that takes over from another.
+  void set_breath(const anatomy::BreathState& moment) noexcept;
 
-  // Names of TickOutput::diagnostics; they live as long as this.
+  // Names of TickOutput::diagnostics; valid as long as this object.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
 
   // s; 1 / rate of the case.
   double dt() const noexcept;
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;
-  // Back to the state after construction: needle outside, nothing punctured, governor armed.
+  // Restores the state after construction: needle outside, no punctures, governor armed.
   void reset() noexcept;
 
  private:

@@ -6,7 +6,7 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double hub_slack = 0.5;  // mm that the hub must lift before it comes down again
+constexpr double hub_slack = 0.5;  // mm that the hub must lift before its next contact
 
 }  // namespace
 

@@ -8,24 +8,24 @@
 
 namespace bodkin::simulation {
 
-// The loss of resistance by which the epidural space is found, seen from outside any force model: the tip has gone
-// through the ligamentum flavum into the space behind it, and the force along the needle falls.
+// The loss of resistance by which the epidural space is found, detected independently of the force model: the tip has
+// passed through the ligamentum flavum into the space behind it, and the force along the needle falls.
 //
 //   watch      from the first tick in a ligamentum flavum deeper than any before, while the tip is in it or at most
 //              `reach` beyond the last of it
-//   F_before   the highest force since then; while the needle rests or goes back it falls with the force
+//   F_before   the highest force since then; while the needle rests or withdraws it falls with the force
 //   lost       the tip is in the space, and F_before - F >= max(`least_drop`, `least_share` F_before)
 //
-// The drop counts over the needle's travel and not over time, so that a puncture within one tick and one that fades
-// over many are found at 1 mm/s as at 100 mm/s. Tissue that relaxes under a resting needle, or is unloaded by one
-// that is pulled back, is no loss. A flavum that was passed is not watched again on the same line.
+// The drop is measured over the needle's travel and not over time, so that a puncture within one tick and one that
+// fades over many are found at 1 mm/s as at 100 mm/s. Relaxation under a resting needle, or unloading by one that is
+// withdrawn, is not a loss. A flavum that was passed is not watched again on the same line.
 class LossOfResistance {
  public:
-  // Forces nearer than that are the same to a hand: thresholds of 0.03 to 0.06 N (Dosher and Hannaford 2005) and
-  // about 7 % (Jones 1989), with a margin for the estimate of the depth.
+  // Forces closer than that cannot be distinguished by a hand: thresholds of 0.03 to 0.06 N (Dosher and Hannaford
+  // 2005) and about 7 % (Jones 1989), with a margin for the estimate of the depth.
   static constexpr double least_drop = 0.1;   // N
   static constexpr double least_share = 0.1;  // of F_before
-  // A ligament that tents gives way when the tip is beyond its far side at rest already; models tent by up to 8 mm.
+  // A tented ligament is punctured when the tip is already beyond its far side at rest; models tent by up to 8 mm.
   static constexpr double reach = 10.0;  // mm
 
   void begin() noexcept { *this = LossOfResistance(); }
@@ -65,7 +65,7 @@ class LossOfResistance {
 
   bool watching_ = false;
   double before_ = 0.0;      // N
-  double flavum_end_ = 0.0;  // mm, deepest place of the tip in the flavum
+  double flavum_end_ = 0.0;  // mm, deepest position of the tip in the flavum
   double deepest_ = 0.0;     // mm
   double last_depth_ = 0.0;  // mm
 };

@@ -13,7 +13,7 @@ constexpr double effective_share = 0.7;       // of the free length: clamped at 
 constexpr double shortest_outside = 1.0;      // mm; less does not buckle
 constexpr double straightening_speed = 50.0;  // mm/s
 constexpr double least_bow = 0.2;             // mm, that is an event
-constexpr double surely_less = 0.999;         // whatever the rounding of a product in place of a quotient
+constexpr double surely_less = 0.999;         // despite the rounding of a product in place of a quotient
 
 }  // namespace
 

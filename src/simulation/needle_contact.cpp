@@ -28,7 +28,7 @@ bool NeedleContact::touches(const Vec3& tip, const Vec3& axis, anatomy::TissueId
                             const anatomy::TissueVolume& tissues) noexcept {
   if (tissue != anatomy::tissue::air && seen_) {
     const Vec3 entry = was_in_air_ ? surface_between(last_tip_, tip, tissues) : last_tip_;
-    // A tip that slides into the body sideways or backwards does not touch it point first; it does once it advances.
+    // A tip that slides into the body sideways or backwards makes contact only once it advances.
     if ((tip - entry).dot(axis) > 0.0) {
       held_ = true;
       entry_ = entry;

@@ -15,11 +15,11 @@ namespace {
 constexpr double sample_interval = 0.005;  // s between remembered sensations
 constexpr double drop_memory = 0.3;        // s over which a drop of force is noticed
 constexpr double hardness_memory = 0.15;   // s over which hardness is judged
-constexpr double feeling_cutoff = 15.0;    // Hz of the sense of a slowly varying force
+constexpr double feeling_cutoff = 15.0;    // Hz of the sensing of a slowly varying force
 constexpr double least_yield = 0.05;       // mm; hardness is never divided by less
-constexpr double aiming_pace = 40.0;       // mm/s at which the hand is carried over to a new line of aim
+constexpr double aiming_pace = 40.0;       // mm/s at which the hand moves over to a new line of aim
 constexpr double turning_pace = 0.5;       // rad/s at which the needle is turned
-constexpr double twirling_pace = 40.0;     // rad/s at which fingers turn a needle at most
+constexpr double twirling_pace = 40.0;     // rad/s, the limit of fingers turning a needle
 constexpr double speed_interval = 0.35;    // s between independent values of the speed's noise
 constexpr double wander_interval = 0.9;    // s, the same of the wander
 
@@ -54,7 +54,7 @@ Operator::Operator(const OperatorScript& script, const anatomy::NeedlePath& path
       wander_{SlowNoise(wander_interval, dt, mix64(seed ^ 0xC3)), SlowNoise(wander_interval, dt, mix64(seed ^ 0xC4)),
               SlowNoise(wander_interval, dt, mix64(seed ^ 0xC5)), SlowNoise(wander_interval, dt, mix64(seed ^ 0xC6))},
       visits_(script.phases.size(), 0),
-      feelings_(static_cast<std::size_t>(std::ceil(drop_memory / std::max(sample_interval, dt))) + 1),
+      samples_(static_cast<std::size_t>(std::ceil(drop_memory / std::max(sample_interval, dt))) + 1),
       sample_ticks_(std::max(1, static_cast<int>(std::lround(sample_interval / dt)))) {
   if (!(path.length() > 1e-3))
     throw InputError("the needle's entry and target are the same point, expected a path of some length");
@@ -88,7 +88,7 @@ void Operator::draw_aim() noexcept {
   aim_direction_ = (path_.direction() + a * across_ + b * along_).normalized();
 }
 
-void Operator::feel(const OperatorSense& sense) noexcept {
+void Operator::add_sample(const OperatorSense& sense) noexcept {
   const double pushing_out = -sense.force.dot(needle_axis(sense.needle));
   const double share = 1.0 - repeatable::exp(-2.0 * std::numbers::pi * feeling_cutoff * dt_);
   force_ += share * (pushing_out - force_);
@@ -97,23 +97,23 @@ void Operator::feel(const OperatorSense& sense) noexcept {
   first_ = false;
   if (--until_sample_ > 0) return;
   until_sample_ = sample_ticks_;
-  newest_ = (newest_ + 1) % feelings_.size();
-  feelings_[newest_] = {force_, advance_};
-  felt_ = std::min(felt_ + 1, feelings_.size());
+  newest_ = (newest_ + 1) % samples_.size();
+  samples_[newest_] = {force_, advance_};
+  sample_count_ = std::min(sample_count_ + 1, samples_.size());
 }
 
 double Operator::recent_drop() const noexcept {
   double peak = force_;
-  for (std::size_t age = 0; age < felt_; ++age) {
-    peak = std::max(peak, feelings_[(newest_ + feelings_.size() - age) % feelings_.size()].force);
+  for (std::size_t age = 0; age < sample_count_; ++age) {
+    peak = std::max(peak, samples_[(newest_ + samples_.size() - age) % samples_.size()].force);
   }
   return peak - force_;
 }
 
 double Operator::recent_hardness() const noexcept {
   const auto memory = static_cast<std::size_t>(std::lround(hardness_memory / (sample_ticks_ * dt_)));
-  if (felt_ <= memory) return 0.0;
-  const Feeling& then = feelings_[(newest_ + feelings_.size() - memory) % feelings_.size()];
+  if (sample_count_ <= memory) return 0.0;
+  const ForceSample& then = samples_[(newest_ + samples_.size() - memory) % samples_.size()];
   return (force_ - then.force) / std::max(advance_ - then.advance, least_yield);
 }
 
@@ -139,7 +139,7 @@ void Operator::decide() noexcept {
   }
   for (const OperatorCondition& condition : script_.phases[static_cast<std::size_t>(phase_)].until) {
     if (!holds(condition)) continue;
-    if (!condition.is_felt()) {
+    if (!condition.has_force_condition()) {
       enter(condition.next);
     } else {
       pending_ = true;
@@ -151,7 +151,7 @@ void Operator::decide() noexcept {
 }
 
 void Operator::enter(int phase) noexcept {
-  // A phase that has had its turns gives offset to another; a circle of such phases ends the script.
+  // A phase that has had its turns passes the offset to another; a cycle of such phases ends the script.
   for (std::size_t hop = 0; phase != OperatorCondition::end && hop <= script_.phases.size(); ++hop) {
     const OperatorPhase& wanted = script_.phases[static_cast<std::size_t>(phase)];
     if (wanted.at_most == 0 || visits_[static_cast<std::size_t>(phase)] < wanted.at_most) break;
@@ -163,7 +163,7 @@ void Operator::enter(int phase) noexcept {
   stepped_ = 0.0;
   pausing_ = 0.0;
   pending_ = false;
-  felt_ = 0;
+  sample_count_ = 0;
   if (phase == OperatorCondition::end) return;
   ++visits_[static_cast<std::size_t>(phase)];
   const OperatorPhase& now = script_.phases[static_cast<std::size_t>(phase)];
@@ -176,7 +176,7 @@ void Operator::enter(int phase) noexcept {
     const Vec3 axis = aim_direction_.cross(Vec3::UnitZ());
     if (axis.norm() > 1e-6) aim_direction_ = rotation_about(axis.normalized(), now.tilt) * aim_direction_;
   }
-  // To hold still or to pull back means to let go of the push: from where the hand is, not from where it strove to.
+  // Holding still or pulling back releases the push: from the hand's position, not from its goal.
   if (now.speed <= 0.0 && !first_) {
     intended_ = std::min(intended_, advance_);
     speed_ = 0.0;
@@ -207,7 +207,7 @@ void Operator::move() noexcept {
 }
 
 Pose Operator::step(const OperatorSense& sense) noexcept {
-  feel(sense);
+  add_sample(sense);
   phase_time_ += dt_;
   if (!finished()) decide();
   if (!finished()) move();

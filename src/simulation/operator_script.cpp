@@ -9,7 +9,7 @@ namespace bodkin::simulation {
 
 namespace {
 
-// The parts one after the other, numbers as people write them.
+// The parts in turn, numbers as people write them.
 template <typename... Parts>
 std::string sentence(const Parts&... parts) {
   std::ostringstream text;

@@ -9,9 +9,9 @@ namespace bodkin::simulation {
 
 namespace {
 
-constexpr double most_felt = 0.95;  // of the device's peak force: no hand can wait for more than it renders
+constexpr double most_felt = 0.95;  // of the device's peak force: no hand can wait for more
 
-// N; 0 where nothing gives way.
+// N; 0 if nothing gives way.
 double break_force_of(const anatomy::TissueLibrary& tissues, const std::string& name) {
   const anatomy::TissueProperties* tissue = tissues.find(name);
   const bool gives_way = tissue != nullptr && tissue->layered.kind == anatomy::LayeredKind::viscoelastic;
@@ -26,7 +26,7 @@ void resolve(std::optional<double>& share, double force, double most, std::optio
 }  // namespace
 
 OperatorScript for_patient(const OperatorScript& script, const anatomy::Case& patient) {
-  const anatomy::TissueLibrary felt = forces::felt_tissues(patient);
+  const anatomy::TissueLibrary felt = forces::effective_tissues(patient);
   const double most = most_felt * patient.description.device.peak_force;
   OperatorScript known = script;
   for (OperatorPhase& phase : known.phases) {

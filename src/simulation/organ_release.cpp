@@ -17,7 +17,7 @@ OrganRelease::OrganRelease(const anatomy::Case& patient, double dt)
     critical_.resize(std::max<std::size_t>(critical_.size(), structure.label + std::size_t{1}), false);
     critical_[structure.label] = true;
   }
-  // What the target lies in is meant to be entered.
+  // The structure that contains the target is meant to be entered.
   const anatomy::Procedure& procedure = patient.description.procedure;
   if (const anatomy::TissueProperties* aim = patient.library.find(procedure.target_tissue))
     organ_tissue_[aim->id] = false;

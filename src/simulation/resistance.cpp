@@ -19,7 +19,7 @@ namespace bodkin::simulation {
 
 namespace {
 
-// rad about the line: where the shaft's side points, seen along the line.
+// rad about the line: direction of the shaft's side, seen along the line.
 double roll_about(const Vec3& line, const Vec3& side) noexcept {
   const Vec3 right = line.unitOrthogonal();
   return repeatable::atan2(side.dot(line.cross(right)), side.dot(right));
@@ -35,9 +35,8 @@ void check_parts(const anatomy::ForceParts& parts, const forces::ResistanceTrait
     refuse_part("relaxation", model.name,
                 "use it with embedded_needle, spring_damper_wall, or tracking_wall without leash");
   if (parts.shaft_friction && model.has_shaft_friction)
-    refuse_part("shaft_friction", model.name,
-                "that model has a friction of the shaft of its own; leave the part out");
-  if (parts.needle_grasp && !parts.shaft_friction && !model.feels_grip)
+    refuse_part("shaft_friction", model.name, "that model has its own friction of the shaft; leave the part out");
+  if (parts.needle_grasp && !parts.shaft_friction && !model.uses_grip)
     refuse_part("needle_grasp", model.name, "it acts on the friction of the shaft; add the part shaft_friction");
 }
 
@@ -48,7 +47,6 @@ struct Resistance::State {
       : model(make_resistance(patient, dt)),
         relaxation(patient.description.haptics.parts.relaxation, dt),
         others(make_force_parts(patient, dt)),
-        holds_laterally(model->traits().holds_laterally),
         names(bodkin::simulation::diagnostic_names(patient.description.haptics)),
         model_names(forces::count_of(model->traits().diagnostics)),
         tissues(patient.tissues),
@@ -67,11 +65,10 @@ struct Resistance::State {
   std::optional<forces::NeedleGrasp> grasp;
   std::vector<std::unique_ptr<ForcePart>> others;  // the parts that are not above
   Vec3 direction = Vec3::UnitZ();                  // of the frozen line
-  forces::TickEvents found;                        // events of the model, of which some are the tick's to report
+  forces::TickEvents found;                        // events of the model, some of them reported by the tick
   double grip = 1.0, friction_force = 0.0;         // of the last tick
-  bool holds_laterally;
   std::vector<forces::DiagnosticName> names;
-  std::size_t model_names;  // of them those of the model, the first
+  std::size_t model_names;  // the first of them, those of the model
   const anatomy::TissueVolume& tissues;
   double material = 0.0;      // mm, of the last tick
   bool deforms;               // the tip's tissue is that of the deformed material
@@ -127,7 +124,7 @@ forces::ResistanceForce Resistance::step_held(const forces::NeedleInTissue& held
     for (const auto& part : state.others) part->step(held, force, state.found);
   }
   for (const forces::Event& event : state.found) {
-    // Contact and withdrawal are the tick's to say; a fault is a motion that the tick does not let through.
+    // The tick reports contact and withdrawal; a fault is a motion that the tick does not pass on.
     if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn ||
         event.kind == forces::EventKind::fault)
       continue;
@@ -153,8 +150,8 @@ bool Resistance::passes_layers() const noexcept {
   return state_->model->traits().passes_layers;
 }
 
-bool Resistance::holds_laterally() const noexcept {
-  return state_->holds_laterally;
+bool Resistance::has_lateral_force() const noexcept {
+  return state_->model->traits().has_lateral_force;
 }
 
 std::span<const forces::DiagnosticName> Resistance::diagnostic_names() const noexcept {
@@ -176,7 +173,7 @@ void Resistance::publish(forces::Diagnostics& values) const noexcept {
 }
 
 BodyPort* Resistance::body() noexcept {
-  return state_->model->body();
+  return static_cast<BodyPort*>(state_->model->body());
 }
 
 }  // namespace bodkin::simulation

@@ -9,42 +9,42 @@
 
 namespace bodkin::simulation {
 
-// The resistance that a case chooses, with its parts: any of resistance_models(). Deterministic; step() allocates
+// The resistance chosen by a case, with its parts: any of resistance_models(). Deterministic; step() allocates
 // nothing. The case must outlive the object.
 class Resistance {
  public:
   // Throws InputError when settings or tissues make the model impossible, active, or too stiff for the device, and
-  // for a part that does not go with the model.
+  // for a part that is incompatible with the model.
   Resistance(const anatomy::Case& patient, double dt);
   ~Resistance();
   Resistance(Resistance&&) noexcept;
   Resistance& operator=(Resistance&&) noexcept;
 
-  // A new line: nothing is touched yet. Models that remember channels do.
+  // A new line: nothing is touched yet. Models with a memory of channels keep it.
   void begin(const Vec3& entry, const Vec3& direction) noexcept;
   // One tick on the line. Events are appended.
   forces::ResistanceForce step(const forces::NeedleInTissue& needle, forces::TickEvents& events) noexcept;
-  // Forgets channels too.
+  // Forgets all state, including channels.
   void reset() noexcept;
 
-  // The deformable body of the model; null for a model without one. Valid as long as this.
+  // The deformable body of the model; null for a model without one. Valid as long as this object.
   BodyPort* body() noexcept;
 
   // The smallest factor by which a tissue's stiffness had to be reduced for the device; 1 = none.
   double stiffness_scale() const noexcept;
-  // ResistanceTraits::holds_laterally of the model.
-  bool holds_laterally() const noexcept;
+  // ResistanceTraits::has_lateral_force of the model.
+  bool has_lateral_force() const noexcept;
   // ResistanceTraits::passes_layers of the model.
   bool passes_layers() const noexcept;
-  // What model and parts publish each tick, by name.
+  // Diagnostics of model and parts, by name.
   std::span<const forces::DiagnosticName> diagnostic_names() const noexcept;
-  // The values of the last tick, in the same order; those after them stay as they are.
+  // The values of the last tick, in the same order; further elements are not changed.
   void publish(forces::Diagnostics& values) const noexcept;
 
  private:
   struct State;
 
-  // One tick, with the grip of the hand.
+  // One tick, with the grip on the shaft.
   forces::ResistanceForce step_held(const forces::NeedleInTissue& held, forces::TickEvents& events) noexcept;
 
   std::unique_ptr<State> state_;

@@ -1,22 +1,12 @@
 #include "simulation/resistance_models.h"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "core/error.h"
-#include "forces/depth_profile.h"
-#include "forces/fracture.h"
-#include "forces/layered.h"
-#include "forces/shaft_friction.h"
-#include "forces/spring_damper_wall.h"
-#include "forces/surface_proxy.h"
-#include "forces/three_component.h"
-#include "forces/tracking_wall.h"
-#include "forces/tracking_wall_leash.h"
-#include "forces/volume_proxy.h"
 #include "simulation/deformable_resistance.h"
 #include "simulation/force_part.h"
 #include "simulation/needle_in_body.h"
@@ -26,50 +16,31 @@ namespace bodkin::simulation {
 
 namespace {
 
+// The models of a deformable body are constructed here; the sources of the others state which settings they have.
 template <typename Settings>
-const Settings& settings_of(const anatomy::Case& patient) {
-  return std::get<Settings>(patient.description.haptics.resistance);
+ResistanceEntry resistance_with() {
+  if constexpr (std::is_same_v<Settings, anatomy::EmbeddedNeedleSettings>)
+    return forces::entry_of<NeedleInBody>();
+  else if constexpr (std::is_same_v<Settings, anatomy::ClosestNodeSettings>)
+    return forces::entry_of<DeformableTip>();
+  else
+    return forces::resistance_with<Settings>();
 }
 
-template <forces::ResistanceModel Model>
-constexpr ResistanceEntry entry_of() {
-  return {Model::traits, [](const anatomy::Case& patient, double dt) -> std::unique_ptr<AnyResistance> {
-            return std::make_unique<ResistanceOf<Model>>(patient, settings_of<typename Model::Settings>(patient), dt);
-          }};
-}
+constexpr std::size_t own_models = std::variant_size_v<anatomy::ResistanceSettings> - 1;
+static_assert(anatomy::resistance_names[own_models] == "registered", "it is the last of the list");
 
-// One name for two models: the wall stays on the line, or may leave it.
-std::unique_ptr<AnyResistance> make_tracking_wall(const anatomy::Case& patient, double dt) {
-  const auto& settings = settings_of<anatomy::TrackingWallSettings>(patient);
-  if (settings.leash) return std::make_unique<ResistanceOf<forces::TrackingWallLeash>>(patient, settings, dt);
-  return std::make_unique<ResistanceOf<forces::TrackingWall>>(patient, settings, dt);
-}
-
-// Of programs outside; filled before the first case that needs them.
-std::vector<ResistanceEntry>& registered() {
-  static std::vector<ResistanceEntry> entries;
+// All models of Bodkin, then those that other programs register before the first case that needs them.
+std::vector<ResistanceEntry>& models() {
+  static std::vector<ResistanceEntry> entries = []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::vector{resistance_with<std::variant_alternative_t<I, anatomy::ResistanceSettings>>()...};
+  }
+  (std::make_index_sequence<own_models>());
   return entries;
 }
 
-constexpr ResistanceEntry models[] = {
-    entry_of<forces::LayeredResistance>(),
-    entry_of<forces::SpringDamperWall>(),
-    {forces::TrackingWall::traits, make_tracking_wall},
-    entry_of<forces::DepthProfile>(),
-    entry_of<forces::VolumeProxy>(),
-    entry_of<forces::ThreeComponent>(),
-    entry_of<forces::Fracture>(),
-    entry_of<forces::ShaftFrictionResistance>(),
-    entry_of<forces::SurfaceProxyResistance>(),
-    entry_of<NeedleInBody>(),
-    entry_of<DeformableTip>(),
-};
-
 const ResistanceEntry* find(std::string_view name) {
-  for (const ResistanceEntry& entry : models) {
-    if (entry.traits.name == name) return &entry;
-  }
-  for (const ResistanceEntry& entry : registered()) {
+  for (const ResistanceEntry& entry : models()) {
     if (entry.traits.name == name) return &entry;
   }
   return nullptr;
@@ -79,15 +50,14 @@ const ResistanceEntry& entry_for(const anatomy::HapticSettings& haptics) {
   const std::string name(anatomy::model_name(haptics.resistance));
   if (const ResistanceEntry* found = find(name)) return *found;
   std::string names;
-  for (const ResistanceEntry& entry : models) names += (names.empty() ? "" : ", ") + std::string(entry.traits.name);
-  for (const ResistanceEntry& entry : registered()) names += ", " + std::string(entry.traits.name);
+  for (const ResistanceEntry& entry : models()) names += (names.empty() ? "" : ", ") + std::string(entry.traits.name);
   throw InputError("there is no resistance '" + name + "' in this program, expected one of " + names);
 }
 
 }  // namespace
 
 std::span<const ResistanceEntry> resistance_models() {
-  return models;
+  return std::span(models()).first<own_models>();
 }
 
 void register_resistance(const ResistanceEntry& entry) {
@@ -97,7 +67,7 @@ void register_resistance(const ResistanceEntry& entry) {
     throw InputError("there is a resistance '" + std::string(entry.traits.name) +
                      "' already; register it under another name");
   }
-  registered().push_back(entry);
+  models().push_back(entry);
 }
 
 std::vector<forces::DiagnosticName> diagnostic_names(const anatomy::HapticSettings& haptics) {

@@ -20,38 +20,37 @@ namespace {
 
 constexpr double most_ticks = 3e6;
 constexpr double longest_motion = 600.0;  // s
-constexpr std::size_t block = 2048;       // ticks between looks at the clock
+constexpr std::size_t block = 2048;       // ticks between checks of the clock
 constexpr double bone_search = 0.1;       // mm
 constexpr double least_bone = 1e-3;       // N/mm
 
 constexpr const char* option = "--models";
 
-// What is compared beside a model itself.
+// Comparison settings of a model.
 struct Variant {
   std::string_view of, name;
 };
 constexpr Variant variants[] = {
     {"layered", "layered_sum"}, {"tracking_wall", "tracking_wall_leash"}, {"volume_proxy", "volume_proxy_viscous"}};
 
-// The needle does not get past the surface of `surface_proxy`, and what a program registers it names itself.
+// The needle cannot pass the surface of `surface_proxy`, and registered models are named by their program.
 constexpr std::string_view not_compared[] = {"surface_proxy", "registered"};
 
-std::vector<std::string_view> all_compared() {
-  std::vector<std::string_view> names;
-  for (const std::string_view model : anatomy::resistance_names) {
-    if (std::find(std::begin(not_compared), std::end(not_compared), model) != std::end(not_compared)) continue;
-    names.push_back(model);
-    for (const Variant& variant : variants)
-      if (variant.of == model) names.push_back(variant.name);
-  }
-  return names;
-}
 const std::vector<std::string_view>& model_names() {
-  static const std::vector<std::string_view> names = all_compared();
-  return names;
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> names;
+    for (const std::string_view model : anatomy::resistance_names) {
+      if (std::find(std::begin(not_compared), std::end(not_compared), model) != std::end(not_compared)) continue;
+      names.push_back(model);
+      for (const Variant& variant : variants)
+        if (variant.of == model) names.push_back(variant.name);
+    }
+    return names;
+  }();
+  return all;
 }
 
-// The settings of one of `names`. Those of the case's own model are kept, but for what makes the variant.
+// The settings of one of `names`. Those of the case's own model are kept, except for the variant's changes.
 anatomy::ResistanceSettings settings_of(std::string_view name, const anatomy::ResistanceSettings& own) {
   const bool sum = name.ends_with("_sum"), leash = name.ends_with("_leash"), viscous = name.ends_with("_viscous");
   const std::string_view base = sum || leash || viscous ? name.substr(0, name.rfind('_')) : name;
@@ -66,7 +65,7 @@ anatomy::ResistanceSettings settings_of(std::string_view name, const anatomy::Re
   return settings;
 }
 
-// A name as a column of a table.
+// A name as a table column.
 std::string column_of(const std::string& name, std::string_view quantity) {
   std::string column;
   for (const char c : name) {
@@ -76,8 +75,8 @@ std::string column_of(const std::string& name, std::string_view quantity) {
   return column + '_' + std::string(quantity);
 }
 
-// Where the motion ends, mm from the entry: at the end of the line, or so deep in bone that the device has no more
-// force.
+// End of the motion, mm from the entry: at the end of the line, or at the depth in bone where the device's force
+// ends.
 double deepest_place(const StraightPath& line, const anatomy::Case& patient, Comparison& result) {
   const anatomy::DeviceLimits& device = patient.description.device;
   for (double place = line.surface; place < line.end; place += bone_search) {
@@ -128,7 +127,7 @@ std::vector<simulation::TickInput> motion_of(const StraightPath& line, const ana
   MotionTicks ticks = ticks_of(steps, line, options.speed, result.dt, end);
   result.parts = std::move(ticks.parts);
   result.first = std::move(ticks.first);
-  if (options.motion.empty() && !options.reinsert) {  // its part is there, without ticks
+  if (options.motion.empty() && !options.reinsert) {  // its part exists, without ticks
     result.parts.push_back(MotionPhase::reinsertion);
     result.first.push_back(ticks.places.size());
   }
@@ -145,7 +144,7 @@ std::vector<simulation::TickInput> motion_of(const StraightPath& line, const ana
   return motion;
 }
 
-// ns that this thread has computed: other work on the machine does not count.
+// ns of CPU time of this thread: other work on the machine does not count.
 double processor_time() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -173,7 +172,7 @@ ModelRun play(const std::string& name, const anatomy::Case& patient, const std::
       for (const forces::Event& event : output.events) {
         const bool is_loss = event.kind == forces::EventKind::loss_of_resistance;
         if (event.kind != forces::EventKind::puncture && !is_loss) continue;
-        if (result.phase_of(tick) == MotionPhase::insertion) run.told.push_back({tick, event});
+        if (result.phase_of(tick) == MotionPhase::insertion) run.events.push_back({tick, event});
         if (is_loss) continue;
         ++run.punctures[static_cast<std::size_t>(result.phase_of(tick))];
       }
@@ -187,7 +186,7 @@ ModelRun play(const std::string& name, const anatomy::Case& patient, const std::
   return run;
 }
 
-// Everything that follows from the forces of one model alone.
+// All results that depend on the forces of only one model.
 void measure(ModelRun& run, const Comparison& result) {
   for (std::size_t tick = 0; tick < run.force.size(); ++tick) {
     const MotionPhase phase = result.phase_of(tick);
@@ -204,7 +203,7 @@ void measure(ModelRun& run, const Comparison& result) {
     if (tick < result.closed) run.closed_work += work;
   }
   run.peak_tissue = result.tissue[run.peak_tick];
-  for (const ToldEvent& each : run.told) {
+  for (const ReportedEvent& each : run.events) {
     const bool follows = each.tick >= run.peak_tick && each.tick <= run.peak_tick + 2;
     if (follows && each.event.kind == forces::EventKind::puncture) run.peak_tissue = each.event.tissue;
   }
@@ -225,7 +224,7 @@ void measure_difference(ModelRun& run, const ModelRun& reference, const std::vec
   run.rms_difference = inside > 0 ? std::sqrt(sum / static_cast<double>(inside)) : 0.0;
 }
 
-// One sentence for many refusals; a reason that all share is said once.
+// One sentence for many refusals; a common reason is stated once.
 std::string nothing_ran(const std::vector<ModelRefused>& refused) {
   const bool same = std::all_of(refused.begin(), refused.end(),
                                 [&](const ModelRefused& model) { return model.reason == refused[0].reason; });

@@ -46,7 +46,7 @@ std::vector<float> moved_points(const fem::BodyDescription& body, const std::vec
   return displacements;
 }
 
-std::string title_of(const DeformedMoment& moment, double most) {
+std::string title_of(const DeformedState& moment, double most) {
   std::string title = fmt::format("{:.2f} N at {:.1f} mm; tissue moved {:.1f} mm", moment.resistance,
                                   moment.depth - moment.ahead, most);
   if (moment.ahead > 0.1) title += fmt::format(", the hand {:.1f} mm ahead", moment.ahead);
@@ -61,7 +61,7 @@ std::vector<float> displacements_at(const fem::BodyDescription& body, const fem:
 }
 
 imaging::Canvas deformation_picture(const anatomy::Case& patient, const fem::BodyDescription& body,
-                                    const DeformedMoment& moment, const Progress& progress) {
+                                    const DeformedState& moment, const Progress& progress) {
   const anatomy::NeedlePath& path = patient.prepared.path;
   const Vec3 tip = moment.needle.translation(), along = needle_axis(moment.needle);
   const imaging::SlicePlane plane =

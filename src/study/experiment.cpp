@@ -25,7 +25,7 @@ constexpr double same_time = 1e-9;  // s; the time of a tick is a rounded produc
 constexpr std::int16_t air_hounsfield = -1000;
 constexpr double air_before_mesh = 5.0;  // mm
 
-// Tissue at a depth below the surface, or along the radius of a half ball.
+// Tissue at a depth below the surface, or at a radius of a half ball.
 anatomy::TissueId tissue_at(const io::ExperimentBody& body, const std::vector<anatomy::TissueId>& ids, double depth) {
   double end = 0.0;
   for (std::size_t i = 0; i < body.layers.size(); ++i) {
@@ -75,7 +75,7 @@ anatomy::TissueVolume tissues_of(const io::Experiment& experiment) {
   return volume;
 }
 
-// The deformable body of layers, about the line of the motion, where the resistance needs one; `whole` as that of
+// The deformable body of layers, about the line of the motion, if the resistance needs one; `whole` as in
 // patient::prepare_body().
 void give_body(const io::Experiment& experiment, const Progress& progress, anatomy::Case& patient,
                std::shared_ptr<const fem::ContactBody>& whole) {
@@ -96,12 +96,12 @@ void give_body(const io::Experiment& experiment, const Progress& progress, anato
                         {motion.entry, motion.entry + deepest * motion.direction}, progress, &whole);
 }
 
-// Where the needle is at a time.
+// The needle's position at a time.
 class Mover {
  public:
   explicit Mover(const io::ExperimentMotion& motion) : motion_(motion) {}
 
-  // Times must not fall.
+  // Times must not decrease.
   io::ExperimentPlace at(double time) {
     const std::vector<io::ExperimentPlace>& places = motion_.places;
     while (next_ + 1 < places.size() && places[next_].time < time) ++next_;
@@ -144,20 +144,20 @@ PublishedComparison compare(const io::PublishedValue& published, const io::Exper
                     experiment.name, published.what));
   }
   PublishedComparison comparison{published};
-  switch (published.take) {
-    case io::Take::mean:
+  switch (published.aggregation) {
+    case io::Aggregation::mean:
       comparison.found = sum / static_cast<double>(count);
       break;
-    case io::Take::highest:
+    case io::Aggregation::highest:
       comparison.found = highest;
       break;
-    case io::Take::lowest:
+    case io::Aggregation::lowest:
       comparison.found = lowest;
       break;
-    case io::Take::first:
+    case io::Aggregation::first:
       comparison.found = first;
       break;
-    case io::Take::last:
+    case io::Aggregation::last:
       comparison.found = last;
       break;
   }
@@ -200,13 +200,13 @@ io::Experiment load_experiment(const std::filesystem::path& file, const Progress
   for (const io::ExperimentPlace& place : experiment.motion.places)
     motion.push_back({.goal = MotionGoal::depth, .depth = place.depth});
   const StraightPath line = path_of_motion(patient, body.entry, body.target, motion);
-  const auto tell = [&](const std::string& text) {
+  const auto report = [&](const std::string& text) {
     if (note) note(experiment.name + ": " + text);
   };
-  for (const std::string& text : line.notes) tell(text);
+  for (const std::string& text : line.notes) report(text);
   const Vec3 along = line.path.direction();
   experiment.motion.lay_along(line.path.entry + line.surface * along, along);
-  patient::prepare_body(patient, body.patient, line.path, progress, tell, whole);
+  patient::prepare_body(patient, body.patient, line.path, progress, report, whole);
   experiment.patient = std::move(patient);
   return experiment;
 }
@@ -241,7 +241,7 @@ ExperimentRun play(const io::Experiment& experiment, const Progress& progress,
   anatomy::Case patient = experiment_case(experiment);
   give_body(experiment, progress, patient, whole);
   simulation::HapticTick tick(patient);
-  std::unique_ptr<fem::ContactStream> points;  // of the lines on which the motion leads the needle
+  std::unique_ptr<fem::ContactStream> points;  // of the lines along which the motion moves the needle
   if (whole != nullptr && tick.body() != nullptr) {
     points = patient::contact_stream(patient, patient.prepared.path.length(), std::move(whole),
                                      tick.body()->stream_points(simulation::BodyPort::PointTiming::in_time));

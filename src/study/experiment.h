@@ -14,7 +14,7 @@
 
 namespace bodkin::study {
 
-// One tick of an experiment; see Quantity for what is what.
+// One tick of an experiment; Quantity explains the members.
 struct ExperimentTick {
   double time = 0.0;        // s
   double depth = 0.0;       // mm along the line that was frozen at contact; 0 outside
@@ -30,44 +30,44 @@ struct ExperimentTick {
   bool in_contact = false;
 };
 
-// A published number and what came out.
+// A published number and the computed one.
 struct PublishedComparison {
   io::PublishedValue published;
   double found = 0.0;
   bool agrees = false;  // |found - published| <= tolerance
 };
 
-// An experiment that has been played.
+// A completed experiment.
 struct ExperimentRun {
   double dt = 0.001;  // s
   std::vector<ExperimentTick> ticks;
   std::vector<PublishedComparison> comparisons;  // in the order of the file
 };
 
-// Reads an experiment with its patient, if that is its body: the case's volumes, and the motion laid along the path
-// from the skin inwards, with the deformable body that the resistance needs. `note` hears what was assumed. `whole`,
-// unless null, becomes the patient's factorised body; see patient::prepare_body(). Throws InputError for what
-// io::read_experiment refuses, for a case that cannot be loaded and for no path, one that misses the body or one that
-// the motion leaves at the end of the volume.
+// Reads an experiment with its patient, if that is its body: the case's volumes, and the motion placed along the path
+// from the skin inwards, with the deformable body that the resistance needs. `note` receives the assumptions.
+// `whole`, unless null, becomes the patient's factorised body; see patient::prepare_body(). Throws InputError
+// whenever io::read_experiment does, for a case that cannot be loaded and for a missing path, one that misses the
+// body or one on which the motion leaves the volume.
 io::Experiment load_experiment(const std::filesystem::path& file, const Progress& progress = {},
                                const std::function<void(const std::string&)>& note = {},
                                std::shared_ptr<const fem::ContactBody>* whole = nullptr);
 
-// The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT where the resistance
-// reads one. Throws InputError for a body of more than 60 million voxels or one without tissue, and for a patient
-// that was not loaded by load_experiment().
+// The body, needle and settings of an experiment as a patient in memory: a tissue map, and a CT if the resistance
+// reads one. Throws InputError for a body of more than 60 million voxels or one without tissue, and for a patient not
+// loaded by load_experiment().
 anatomy::Case experiment_case(const io::Experiment& experiment);
 
 // A CT on the lattice of the tissue map, without noise: the HU of each voxel's tissue.
 anatomy::CtVolume ct_of_tissues(const anatomy::Case& patient);
 
-// Moves the needle of an experiment through the same tick that a hand would feel, as its motion says. `whole`: of a
-// patient, what load_experiment() gave; the needle meets it beside the path too. Throws InputError when body, tissues
-// and settings do not go together or when a published value's window holds no tick.
+// Moves the needle of an experiment according to its motion through the same tick as for a hand. `whole`: for a
+// patient, from load_experiment(); the needle meets it off the path too. Throws InputError when body, tissues and
+// settings are incompatible or when a published value's window contains no tick.
 ExperimentRun play(const io::Experiment& experiment, const Progress& progress = {},
                    std::shared_ptr<const fem::ContactBody> whole = {});
 
-// Whether a tick lies in a window; one that says a depth holds ticks in contact only.
+// Whether a tick lies in a window; one with a depth contains only ticks in contact.
 bool is_inside(const io::ExperimentWindow& window, const ExperimentTick& tick);
 
 // A quantity of one tick in its unit; NaN when undefined (a wall whose spring is slack).

@@ -32,8 +32,8 @@ Planes planes_of(std::span<const MeshLayer> layers, double edge) {
   return planes;
 }
 
-// A brick is cut along its diagonal from corner 0 to 7 (bits: x, y, z): one tetrahedron for each order of the axes in
-// which a way along its edges goes, corners so that the volume is positive.
+// A brick is cut along its diagonal from corner 0 to 7 (bits: x, y, z): one tetrahedron for each order of axes of a
+// way along its edges, corners ordered for positive volume.
 constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra_of_brick = {
     {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 6, 4, 7}, {0, 5, 1, 7}}};
 

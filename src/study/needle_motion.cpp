@@ -110,7 +110,7 @@ StraightPath path_of_motion(const anatomy::Case& patient, const std::optional<Ve
   const double whole = line.path.length() + beyond;
   if (deepest > whole) return straight_path(patient, entry, target, deepest - line.path.length());
   if (!to_target) {
-    // The hub meets the skin after the motion has turned, so that nothing of it is to be said.
+    // The hub meets the skin after the motion has turned, so nothing is reported.
     if (line.ends_at_hub && deepest <= line.end) {
       line.ends_at_hub = false;
       line.notes.pop_back();

@@ -41,7 +41,7 @@ anatomy::TissueVolume laid_down(const anatomy::TissueVolume& from) {
   return to;
 }
 
-// The line of the motion from the skin to its deepest place, in the experiment's coordinates.
+// The motion's line from the skin to its deepest place, in the experiment's coordinates.
 anatomy::NeedlePath deepest_line(const io::Experiment& experiment, const anatomy::TissueVolume& tissues) {
   const io::ExperimentMotion& motion = experiment.motion;
   double deepest = 0.0;
@@ -66,10 +66,10 @@ anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const P
     throw InputError(fmt::format("{}: its body is the patient {}, which can be felt as it is; expected layers",
                                  experiment.name, experiment.body.patient.string()));
   }
-  const io::DeferredTermination deferred;  // ends this process, if it is to end, once the folder is cleared away
-  const Progress tell = io::until_told_to_end(progress);
+  const io::DeferredTermination deferred;  // ends this process, if a signal asked for it, once the folder is removed
+  const Progress report = io::until_interrupted(progress);
   io::PartialFolder folder(wanted.folder, wanted.overwrite);
-  tell("building the layers", 0.0);
+  report("building the layers", 0.0);
   anatomy::Case made = experiment_case(experiment);
   const anatomy::NeedlePath line = deepest_line(experiment, made.tissues);
   made.tissues = laid_down(made.tissues);
@@ -82,9 +82,9 @@ anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const P
   description.procedure.name = "needle_insertion";
   description.procedure.path = anatomy::NeedlePath{laid_down(line.entry), laid_down(line.target)};
   description.needle.length = std::max(description.needle.length, std::ceil(line.length() + outside_needle));
-  tell("writing the case", 0.5);
+  report("writing the case", 0.5);
   io::write_case(description, made.ct, made.tissues, {}, &made.library, folder.path());
-  tell("writing the case", 0.99);
+  report("writing the case", 0.99);
   folder.finish();
   if (progress) progress("writing the case", 1.0);
   return description;

@@ -15,11 +15,11 @@ struct PhantomRequest {
   std::string name;  // of the case; empty: the experiment's
 };
 
-// Writes the body of an experiment (a stack of layers, or layers of a half ball) as a case, so that any device can
-// feel it: its tissues, needle and force models, a CT of each tissue's HU, and the deepest line of its motion as the
-// planned path. The body lies with its skin upwards, as a patient lies prone: depth runs towards -y (LPS), and the
-// experiment's y becomes z. The needle is long enough to reach the end of the path. Returns what was written. Throws
-// InputError where the folder cannot be made, the body is too large, or the motion does not enter it.
+// Writes the body of an experiment (a stack of layers, or layers of a half ball) as a case, so that it can be felt on
+// any device: its tissues, needle and force models, a CT of each tissue's HU, and the deepest line of its motion as
+// the planned path. The body lies with its skin upwards, as a prone patient: depth runs towards -y (LPS), and the
+// experiment's y becomes z. The needle reaches the end of the path. Returns the description. Throws InputError if the
+// folder cannot be created, the body is too large, or the motion does not enter it.
 anatomy::CaseDescription write_phantom(const io::Experiment& experiment, const PhantomRequest& wanted,
                                        const Progress& progress = {});
 

@@ -73,11 +73,11 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
   profile.ticks.reserve(static_cast<std::size_t>(duration / profile.dt) + 16 + motion.size());
   const auto moment = [&haptics](const simulation::TickRecord& record) {
     const simulation::BodyPort* const body = haptics.body();
-    const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
+    const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->coupling_offset();
     Pose needle = record.input.needle;
     needle.translation() -= ahead;
-    return DeformedMoment{body == nullptr ? fem::NodeForces{} : body->node_forces(), needle, ahead.norm(),
-                          record.output.depth, record.output.resistance};
+    return DeformedState{body == nullptr ? fem::NodeForces{} : body->node_forces(), needle, ahead.norm(),
+                         record.output.depth, record.output.resistance};
   };
   const anatomy::TissueProperties* bone = nullptr;  // that the tip touches
   const auto tick = [&](double place) -> const simulation::TickOutput& {
@@ -100,8 +100,8 @@ Profile insert_at_constant_speed(const anatomy::Case& patient, const ProfileOpti
 
   tick(line.start);
   double here = line.start, deepest = line.start, end = line.end;
-  // Whether bone pushes back with more than the device can show. In the deformed material the tip that bone holds up
-  // is still in the tissue before it, which it pushes along.
+  // Whether bone resists with more than the device can render. In the deformed material a tip stopped by bone is
+  // still in the tissue before it, which it pushes along.
   const auto stopped_by_bone = [&](const simulation::TickOutput& output) {
     const anatomy::TissueProperties* properties = patient.library.find(output.tissue);
     if (properties == nullptr || properties->layered.kind != anatomy::LayeredKind::rigid) properties = bone;

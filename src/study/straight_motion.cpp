@@ -15,7 +15,7 @@ namespace {
 constexpr double lead = 10.0;            // mm of air before the skin
 constexpr double step_of_search = 0.1;   // mm
 constexpr double shortest_path = 1.0;    // mm
-constexpr double entry_tolerance = 2.0;  // mm that an entry may lie off the skin without a remark
+constexpr double entry_tolerance = 2.0;  // mm between entry and skin without a remark
 constexpr anatomy::TissueId outside = 255;
 
 std::string text_of(const Vec3& point) {
@@ -59,7 +59,7 @@ anatomy::NeedlePath path_of(const anatomy::Case& patient, const std::optional<Ve
   return path;
 }
 
-// mm from the path to the nearest voxel that is not air; infinite when there is none.
+// mm from the path to the nearest voxel that is not air; infinite if there is none.
 double distance_to_body(const anatomy::NeedlePath& path, const anatomy::TissueVolume& tissues) {
   const auto& size = tissues.grid.size;
   const Vec3 along = path.target - path.entry;
@@ -77,7 +77,7 @@ double distance_to_body(const anatomy::NeedlePath& path, const anatomy::TissueVo
   return std::sqrt(nearest_square);
 }
 
-// Finds the skin on the path, and with it where the needle starts.
+// Finds the skin on the path, and thereby the needle's start.
 void find_skin(StraightPath& line, const anatomy::TissueVolume& tissues) {
   const anatomy::NeedlePath& path = line.path;
   const Vec3 along = path.direction();
@@ -85,7 +85,7 @@ void find_skin(StraightPath& line, const anatomy::TissueVolume& tissues) {
     return anatomy::nearest<anatomy::TissueId>(tissues, path.entry + s * along, outside);
   };
   const bool in_body = tissue_at(0.0) != anatomy::tissue::air;
-  // The skin between a place in air and one in tissue, to the last bit that matters.
+  // The skin between a place in air and one in tissue, to the last relevant bit.
   const auto skin_between = [&](double in_air, double in_tissue) {
     for (int halving = 0; halving < 20; ++halving) {
       const double middle = 0.5 * (in_air + in_tissue);

@@ -1,4 +1,4 @@
-// EmbeddedNeedle with a bevelled point that bends: where it goes.
+// EmbeddedNeedle with a flexible bevelled needle: its path.
 #include <cmath>
 #include <vector>
 
@@ -111,7 +111,7 @@ TEST(BevelNeedle, bends_with_the_curvature_of_a_beam_on_a_foundation) {
     EXPECT_LT(std::abs(rig.force.tip_deflection.x()), 1e-9);
     EXPECT_FALSE(rig.force.full);
   }
-  // The shaft has hold of its hole from about one node behind the tip on: an error that shrinks with the spacing.
+  // The shaft is held by its hole only from about one node behind the tip: an error that shrinks with the spacing.
   EXPECT_GT(found[1], found[0]);
   if (sanitized) return;
   EXPECT_LT(found[2], curvature_to_be(0.1));
@@ -161,7 +161,7 @@ TEST(BevelNeedle, turned_by_180_degrees_half_way_it_bends_back) {
   EXPECT_LT(half_way.y(), -0.2);
   EXPECT_GT(twice.curvature(10.0, 25.0), 0.5 * curvature_to_be(0.1));
   EXPECT_NEAR(twice.curvature(45.0, 60.0), -curvature_to_be(0.1), 0.25 * curvature_to_be(0.1));
-  // It ends between where it would have gone straight and where it would have gone unturned.
+  // It ends between the ends of a straight and of an unturned insertion.
   EXPECT_GT(twice.force.tip_deflection.y(), 0.7 * once.force.tip_deflection.y());
   EXPECT_LT((twice.force.tip_deflection + mirrored.force.tip_deflection).norm(), 1e-9);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// A body solved by CalculiX (SPOOLES), a program that is not ours. It prints seven digits.
+// A body solved by CalculiX (SPOOLES), an independent program. It prints seven digits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -94,7 +94,7 @@ inline std::string calculix_mesh(const BodyDescription& body, const QuadraticEdg
   return text + "*STEP\n*STATIC\n";
 }
 
-// Runs CalculiX on this input, body.inp in `folder`; false: it could not.
+// Runs CalculiX on this input, body.inp in `folder`; false: failed.
 inline bool calculix_ran(const ScratchFolder& folder, const std::string& input) {
   folder.write("body.inp", input);
   const std::string command = "cd '" + folder.path().string() + "' && OMP_NUM_THREADS=1 ccx body > ccx.log 2>&1";

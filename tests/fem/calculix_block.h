@@ -1,7 +1,7 @@
 #pragma once
 
 // The quarter of a layered block by CalculiX, in hexahedra of second order (C3D20) that become smaller towards a disk
-// in the middle of its top: a mesh that has nothing of ours.
+// in the middle of its top: a mesh independent of ours.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ class CalculixBlock {
     fill_load();
   }
 
-  // mm/N: how far the disk sinks on average by a force of 1 N spread evenly over it. Nothing was computed: nan.
+  // mm/N: mean indentation of the disk by a force of 1 N spread evenly over it. NaN if not computed.
   double compliance() const {
     const ScratchFolder folder;
     if (!calculix_ran(folder, input())) return std::nan("");

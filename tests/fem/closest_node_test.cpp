@@ -112,7 +112,7 @@ TEST(ClosestNodeContact, skin_is_punctured_5_mm_on_at_300_mN_per_mm) {
   EXPECT_EQ(bench.model.node_forces().count, 0u);
 }
 
-// Skin of 2 mm and a membrane at 16 mm, between nodes that are 11 mm apart and have none of them.
+// Skin of 2 mm and a membrane at 16 mm, between nodes 11 mm apart, none of which lies in them.
 TEST(ClosestNodeContact, a_layer_between_two_nodes_gives_way_at_its_own_force) {
   ContactTissues tissues = default_contact_tissues();
   CondensedBody body = coarse_body();

@@ -16,7 +16,7 @@ TEST(ContactChange, goes_over_in_equal_steps_and_ends_exactly) {
   to.tissues[tissue::soft] = {.friction = 0.3, .puncture_force = 1.0, .stiffness = 8.0};
   to.capture_radius = 2.5;
   ContactChange change;
-  EXPECT_FALSE(change.goes_on());
+  EXPECT_FALSE(change.is_active());
   change.begin(from, to, 4);
   EXPECT_DOUBLE_EQ(change.next().tissues[tissue::soft].friction, 0.15);
   const ContactNumbers half = change.next();
@@ -24,12 +24,12 @@ TEST(ContactChange, goes_over_in_equal_steps_and_ends_exactly) {
   EXPECT_DOUBLE_EQ(half.tissues[tissue::soft].stiffness, 6.0);
   EXPECT_DOUBLE_EQ(half.capture_radius, 2.0);
   change.next();
-  EXPECT_TRUE(change.goes_on());
+  EXPECT_TRUE(change.is_active());
   EXPECT_EQ(change.next().tissues[tissue::soft].friction, 0.3);
-  EXPECT_FALSE(change.goes_on());
+  EXPECT_FALSE(change.is_active());
   change.begin(to, from, 100);
   EXPECT_EQ(change.last().tissues[tissue::soft].friction, 0.1);
-  EXPECT_FALSE(change.goes_on());
+  EXPECT_FALSE(change.is_active());
 }
 
 // 25 mm of shaft rub with 0.02 N/mm, and then with 0.05 N/mm.
@@ -68,7 +68,7 @@ TEST(ContactChange, tissue_gives_way_at_the_new_force) {
   EXPECT_NEAR(rig.force.puncture->force, 0.9, 0.02);
 }
 
-// The friction of the layers that the shaft has passed is summed up anew.
+// The friction of the layers passed by the shaft is summed anew.
 TEST(ContactChange, the_shaft_behind_the_closest_node_rubs_with_the_new_friction) {
   const CondensedBody body = checks::kelvin_body(3, 31, 1.0, 1.0);
   ContactTissues tissues = checks::plain_tissues(0.02);

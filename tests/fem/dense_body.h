@@ -1,6 +1,6 @@
 #pragma once
 
-// Bodies for tests of contact: their compliance is known without any code of the engine.
+// Bodies for tests of contact: their compliance is computed without the engine's code.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -81,7 +81,7 @@ TEST(DisplayField, takes_no_memory_and_no_lock) {
   EXPECT_EQ(RealTimeGuard::lock_calls(), 0u);
 }
 
-// The tick writes, the picture reads; neither waits, and no picture is made of two ticks.
+// The tick writes, the display reads; neither waits, and no image mixes two ticks.
 TEST(DisplayField, a_picture_beside_the_tick_is_always_of_one_tick) {
   const Eigen::MatrixXf columns = Eigen::MatrixXf::Ones(300, 30);
   const DisplayField field(columns);

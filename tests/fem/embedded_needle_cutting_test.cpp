@@ -1,4 +1,4 @@
-// A layer that takes a force to be cut on.
+// A layer with a cutting force.
 #include "tests/fem/needle_rig.h"
 #include "tests/sanitized.h"
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ const CondensedBody& firm_layers() {
   return body;
 }
 
-// 2 N push its border in by some mm.
+// 2 N indent its border by some mm.
 const CondensedBody& soft_layers() {
   static const CondensedBody body = layered_body(0.2);
   return body;
@@ -66,7 +66,7 @@ TEST(EmbeddedNeedleCutting, the_tip_cuts_on_at_its_force_until_it_leaves_the_lay
     ASSERT_NEAR(rig.force.tip_force, cutting, 0.05) << depth;
     ASSERT_EQ(rig.force.inside, tissue::ligamentum_flavum) << depth;
   }
-  // At 10 mm/s the force goes within 0.03 s.
+  // At 10 mm/s the force fades within 0.03 s.
   rig.move(far_side + 0.5, 10.0);
   EXPECT_NEAR(rig.force.resistance, rubs * (far_side + 0.5), 1e-3);
   EXPECT_EQ(rig.force.inside, tissue::soft);
@@ -96,7 +96,7 @@ TEST(EmbeddedNeedleCutting, what_has_been_cut_is_open_and_what_lies_deeper_is_no
   EXPECT_LT(rig.force.resistance, rubs * 9.9 + 0.01);
 }
 
-// The hand is ahead of the tip by the dimple, so the layer is left, and its resistance lost, by as much later.
+// The hand is ahead of the tip by the dimple, so leaving the layer, and losing its resistance, come later by as much.
 TEST(EmbeddedNeedleCutting, the_layer_is_left_at_its_far_side_in_the_tissue_as_it_has_moved) {
   NeedleRig rig(soft_layers(), cut_tissues());
   double gives_way = 0.0, left = 0.0, before = 0.0;

@@ -19,7 +19,7 @@ namespace {
 
 using checks::NeedleRig;
 
-// Points 1 mm apart, 30 mm deep. So stiff that it hardly gives.
+// Points 1 mm apart, 30 mm deep. So stiff that it hardly deforms.
 CondensedBody stiff_body() {
   CondensedBody body = checks::kelvin_body(1, 31, 1.0, 20.0);
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
@@ -115,7 +115,7 @@ TEST(EmbeddedNeedle, the_tip_never_pulls_on_the_tissue_in_front_of_it) {
   }
 }
 
-// Forces of a straight needle that is moved sideways, by a dense solve over its points.
+// Forces of a straight needle moved sideways, by a dense solve over its points.
 Eigen::VectorXd dense_forces(const CondensedBody& body, std::size_t nodes, const Mat3& directions, int first,
                              int columns, const Vec3& moved) {
   std::vector<Eigen::Index> held;
@@ -218,7 +218,7 @@ TEST(EmbeddedNeedle, no_way_gives_more_work_than_went_in) {
   EXPECT_LT(least, 1.0);  // N mm: with little friction, little is lost
 }
 
-// Tissue that was pushed in closes on the shaft, all of it in a few ticks.
+// Indented tissue closes on the shaft within a few ticks.
 TEST(EmbeddedNeedle, work_less_stored_energy_never_falls_behind_a_border_that_has_given_way) {
   ContactTissues tissues = checks::plain_tissues(0.05);
   tissues[tissue::soft].puncture_force = 0.3;

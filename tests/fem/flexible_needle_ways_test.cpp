@@ -1,4 +1,4 @@
-// EmbeddedNeedle with a shaft that bends, on its way: no jumps, no energy from nowhere, the same again.
+// EmbeddedNeedle with a flexible shaft, in motion: no jumps, no created energy, repeatable.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -88,8 +88,8 @@ TEST(FlexibleNeedleWays, no_closed_way_gives_work) {
   }
 }
 
-// Bent where it is soft and let go where it is stiff, a spring would give what the hand never put in (here about
-// 0.3 N mm, were it not for what pushes back along the needle).
+// Bent at a soft place and released at a stiff one, a spring would return energy that the hand never put in (here
+// about 0.3 N mm, without the reaction along the needle).
 TEST(FlexibleNeedleWays, bent_outside_and_let_go_deeper_it_gives_no_work) {
   for (const int ticks : {400, 1600}) {
     EmbeddedNeedle model(flesh(), checks::plain_tissues(0.0), checks::narrow_settings(), 1e-3,

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t all_nodes = 12;
 
-// mm/N between as many nodes, each of which is a point.
+// mm/N between as many nodes, each a point.
 Eigen::MatrixXf compliance() {
   Random random(3);
   Eigen::MatrixXd root(3 * all_nodes, 3 * all_nodes);
@@ -62,7 +62,7 @@ Eigen::VectorXd moved_by(const Eigen::MatrixXf& between, const NodeForces& force
   return between.cast<double>() * load;
 }
 
-// Until `holds`, a minute at most.
+// Waits until `holds`, a minute at most.
 bool comes_true(const std::function<bool()>& holds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!holds()) {
@@ -81,7 +81,7 @@ TEST(GrowingField, shows_what_forces_on_any_nodes_do_once_it_has_their_columns) 
   const Eigen::MatrixXf between = compliance();
   GrowingField field(field_of(between, {0, 1}, 3), columns_of(between));
   std::vector<float> moved(3 * all_nodes);
-  // The last needs a place that others have.
+  // The last needs an occupied place.
   for (const std::vector<std::uint32_t>& nodes :
        std::vector<std::vector<std::uint32_t>>{{0, 5, 6}, {1, 7}, {8, 9, 10}, {5}}) {
     const NodeForces forces = forces_on(nodes);

@@ -1,6 +1,6 @@
 #pragma once
 
-// A needle of cubic Hermite elements on a body, all equations at once: what the engine condenses, uncondensed.
+// A needle of cubic Hermite elements on a body, all equations at once: the engine's equations without condensation.
 #include <algorithm>
 #include <vector>
 

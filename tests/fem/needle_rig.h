@@ -1,6 +1,6 @@
 #pragma once
 
-// A needle that goes along z into a body of kelvin_body(), and what its hand feels.
+// A needle along z into a body of kelvin_body(), and the force on its hand.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,7 +14,7 @@ namespace bodkin::checks {
 using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 
-// Soft everywhere, no puncture anywhere: what is to be felt is set by the test.
+// Soft everywhere, without punctures: the test sets the tissue's forces.
 inline ContactTissues plain_tissues(double friction) {
   ContactTissues tissues;
   tissues.fill({.friction = friction});

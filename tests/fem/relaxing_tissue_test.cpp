@@ -1,4 +1,4 @@
-// Tissue that relaxes under a needle: RelaxingTissue by itself, and in EmbeddedNeedle.
+// Relaxing tissue under a needle: RelaxingTissue alone, and in EmbeddedNeedle.
 #include "fem/relaxing_tissue.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using checks::NeedleRig;
 
 const std::vector<PronyTerm> two_terms = {{.share = 0.3, .time = 0.1}, {.share = 0.2, .time = 1.0}};
 
-// What is left of a force after a time, of the two terms.
+// The remaining fraction of a force after a time, with the two terms.
 double left_after(double time) {
   return 0.5 + 0.3 * std::exp(-time / 0.1) + 0.2 * std::exp(-time / 1.0);
 }
@@ -51,7 +51,7 @@ TEST(RelaxingNeedle, a_dimple_that_is_held_relaxes_as_its_series_says) {
       EXPECT_NEAR(relaxing.force.resistance, at_first * left_after(1e-3 * tick), 1e-2 * at_first) << tick;
     }
   }
-  // The dimple stays as deep as the tip, however much of its force has gone.
+  // The dimple stays as deep as the tip, however much its force has relaxed.
   EXPECT_NEAR(relaxing.model.elastic_forces().nodes[0].force[2], at_first, 1e-5 * at_first);
   EXPECT_NEAR(relaxing.model.node_forces().nodes[0].force[2], relaxing.force.resistance, 1e-5);
   // Pulled back at once, the tip leaves the tissue, which follows only slowly.
@@ -71,7 +71,7 @@ TEST(RelaxingNeedle, a_shaft_that_sticks_relaxes_as_a_whole_along_and_across) {
     for (int tick = 0; tick < 15000; ++tick) each->to(deep);
   }
   const Vec3 before = elastic.force.on_hand.force, relaxed = relaxing.force.on_hand.force;
-  // Between what is left of a force that was there at once, and one that tissue has crept under for ever.
+  // Between the remainder of an instantaneous force and that after infinite creep.
   EXPECT_LT(std::abs(relaxed.z()), 0.9 * std::abs(before.z()));
   EXPECT_GT(std::abs(relaxed.z()), 0.5 * std::abs(before.z()));
   for (NeedleRig* each : {&elastic, &relaxing}) each->to(less);
@@ -88,7 +88,7 @@ TEST(RelaxingNeedle, a_shaft_that_sticks_relaxes_as_a_whole_along_and_across) {
   }
 }
 
-// A spring behind the body takes more of the way, the less the tissue bears.
+// A spring behind the body takes more of the way as the tissue bears less.
 TEST(RelaxingNeedle, the_spring_of_the_device_does_not_relax) {
   CondensedBody body = relaxing_body();
   const double spring = 0.4;
@@ -105,7 +105,7 @@ TEST(RelaxingNeedle, the_spring_of_the_device_does_not_relax) {
   EXPECT_NEAR(rig.force.resistance, 1.0 / (2.0 * tissue_gives + spring), 1e-4);
 }
 
-// The hand's whole work is never less than nothing, and while no point is left behind, what is lost only grows.
+// The hand's total work is never negative, and while no point is released the loss only grows.
 TEST(RelaxingNeedle, gives_no_energy) {
   Random random(11);
   int punctures = 0;
@@ -177,7 +177,7 @@ TEST(RelaxingNeedle, another_compliance_is_taken_over_without_a_jump) {
   needle.exchange();
   while (needle.exchanges()) EXPECT_LT((needle.step(held).on_hand.force - before.force).norm(), 1e-6);
   EXPECT_TRUE(needle.exchanged());
-  // Nothing draws the tissue back: it goes on as it is.
+  // Nothing draws the tissue back: it continues unchanged.
   EXPECT_LT((needle.step(held).on_hand.force - before.force).norm(), 1e-3 * before.force.norm());
 }
 
@@ -214,7 +214,7 @@ TEST(RelaxingNeedle, refuses_shares_of_more_than_all_and_times_out_of_range) {
   refused({{.share = 0.5, .time = 0.0}});
 }
 
-// A point that is taken out and put back is, for itself and for the others, one that bore nothing meanwhile.
+// A point removed and added again acts, for itself and the others, as one without load meanwhile.
 TEST(RelaxingTissue, a_point_that_was_removed_goes_on_moving_the_others) {
   const CondensedBody& body = relaxing_body();
   ShaftCompliance whole(body.compliance, 8), changing(body.compliance, 8);
@@ -255,7 +255,7 @@ TEST(RelaxingTissue, a_point_that_was_removed_goes_on_moving_the_others) {
   both(200);
   expect_same(4);
 
-  // Where other points will come, the last ones are gone for good; what they did to the others fades as it would.
+  // If other points follow, the last ones are gone for good; their effect on the others fades as usual.
   some.removing_last(changing);
   changing.pop();
   some.drop_removed();

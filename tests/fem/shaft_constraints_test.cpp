@@ -19,7 +19,7 @@ const CondensedBody& flesh_of_shafts() {
   return body;
 }
 
-// Constraints and what a dense solve of all equations at once says of them.
+// Constraints against a dense solve of all equations at once.
 struct ShaftAndDense {
   explicit ShaftAndDense(std::size_t room, std::uint64_t seed)
       : random(seed), frame(checks::random_frame(random)), shaft(flesh_of_shafts().compliance, room) {
@@ -52,7 +52,7 @@ struct ShaftAndDense {
     own_compliance = shaft.size() > 0 ? 0.0 : -1.0;
   }
 
-  // The largest difference of forces and of the displacements of what slides, relative.
+  // The largest relative difference of forces and of the sliding displacements.
   double worst_difference() {
     const std::size_t known = shaft.known();
     std::vector<double> displacements(3 * known), forces(3 * known, 0.0);
@@ -160,7 +160,7 @@ TEST(ShaftConstraints, no_drift_after_100000_changes) {
   EXPECT_LT(both.worst_difference(), 1e-10);
 }
 
-// As a hand at 500 mm/s does: the factor follows the changes of many nodes that stick, and is seldom made anew.
+// As with a hand at 500 mm/s: the factor follows the changes of many sticking nodes, and is seldom refactorised.
 TEST(ShaftConstraints, no_drift_while_all_nodes_stick_and_come_and_go) {
   const std::size_t most = sanitized ? 40 : 90;
   ShaftAndDense both(most, 4);
@@ -215,7 +215,7 @@ TEST(ShaftConstraints, what_cannot_be_is_refused) {
   EXPECT_TRUE(shaft.constrain_along(0));
   EXPECT_FALSE(shaft.constrain_along(0));
   EXPECT_FALSE(shaft.constrain_last_across(-1.0));
-  // The same node twice says nothing new.
+  // The same node twice adds no information.
   EXPECT_TRUE(shaft.add_before_tip(4));
   EXPECT_FALSE(shaft.constrain_before_tip());
 }

@@ -8,8 +8,8 @@ namespace bodkin::checks {
 
 using namespace bodkin::anatomy;
 
-// Nodes on the z axis that know nothing of each other: Winkler's foundation of `foundation` N/mm^2. The first stands
-// for half as much of the line as the others.
+// Uncoupled nodes on the z axis: Winkler's foundation of `foundation` N/mm^2. The first stands for half as much of
+// the line as the others.
 inline CondensedBody winkler_body(int count, double spacing, double foundation) {
   CondensedBody body;
   for (int i = 0; i < count; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A hand that pushes a needle about in a body and tilts it, and the account of its work.
+// A hand that moves and tilts a needle in a body, and the account of its work.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,7 +52,7 @@ class WorkingHand {
       to(pose_at(place_, lean_));
     }
   }
-  // N mm: how far work less stored energy has ever fallen below what it was before.
+  // N mm: largest fall of work minus stored energy below an earlier value.
   const HandWork& greatest_fall() const { return fall_; }
   // N mm, of all of it, that is not stored.
   HandWork lost() const {
@@ -61,7 +61,7 @@ class WorkingHand {
   }
   const Eigen::Vector2d& lean() const { return lean_; }
   double greatest_force() const { return greatest_force_; }  // N
-  // N: how far the hand's force was ever from that of the contact forces of which `turning` is the work.
+  // N: largest difference of the hand's force from the contact forces whose work is `turning`.
   double greatest_difference() const { return greatest_difference_; }
 
  private:
@@ -92,7 +92,7 @@ class WorkingHand {
       const Vec3 push = along.dot(on_tissue) * along, across = on_tissue - push;
       const Vec3& point = points_.nodes[contacts.nodes[i].node];
       work_.turning += push.dot(moved) + across.dot(crossing(now, point) - crossing(last_, point));
-      // A force across acts square to the needle.
+      // A lateral force acts perpendicular to the needle.
       const Vec3 axis = now.linear().col(2);
       of_contacts -= push + across - across.dot(axis) / along.dot(axis) * along;
     }

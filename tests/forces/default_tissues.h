@@ -8,7 +8,7 @@ namespace bodkin::checks {
 using namespace bodkin::anatomy;
 using namespace bodkin::io;
 
-// The library that comes with Bodkin.
+// The library supplied with Bodkin.
 inline const TissueLibrary& default_tissues() {
   static const TissueLibrary library = default_tissue_library();
   return library;

@@ -33,7 +33,7 @@ TEST(Fracture, two_insertions_into_one_channel_measure_its_toughness) {
   }
 }
 
-// Whatever the way in, the work of the hand is that of the two cracks and of what the cutting edge still holds.
+// For any way in, the work of the hand is that of the two cracks plus the energy stored at the cutting edge.
 TEST(Fracture, the_work_of_an_insertion_is_the_energy_of_its_cracks) {
   const FractureSettings settings;
   FractureBench bench(settings);

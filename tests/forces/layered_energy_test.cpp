@@ -26,9 +26,9 @@ std::vector<Slab> random_body(Random& random) {
   return slabs;
 }
 
-// A random way from the surface into the body and back to it.
-struct ClosedWay {
-  explicit ClosedWay(Random& random) : reach(random.uniform(1.0, 40.0)) {
+// A random motion from the surface into the body and back to it.
+struct ClosedMotion {
+  explicit ClosedMotion(Random& random) : reach(random.uniform(1.0, 40.0)) {
     for (double& amplitude : amplitudes) amplitude = random.uniform(-0.4, 0.4);
   }
   double depth(double part) const {  // part: 0 to 1
@@ -40,7 +40,7 @@ struct ClosedWay {
   double amplitudes[4];
 };
 
-// Whatever way the needle takes in and out, the hand does not get more work out than it put in. 10 000 ways.
+// For any way in and out, the hand does not get more work out than it put in. 10 000 ways.
 TEST(LayeredEnergy, no_closed_way_gains_work) {
   Random random(4);
   double least = 1e9;
@@ -52,12 +52,12 @@ TEST(LayeredEnergy, no_closed_way_gains_work) {
       rig.model.begin();
       rig.to(0.0, 0.0, true);
       rig.work = 0.0;
-      const ClosedWay way(random);
+      const ClosedMotion motion(random);
       const int ticks = 800;
-      for (int tick = 1; tick <= ticks; ++tick) rig.to(way.depth(static_cast<double>(tick) / ticks));
+      for (int tick = 1; tick <= ticks; ++tick) rig.to(motion.depth(static_cast<double>(tick) / ticks));
       rig.to(0.0);
       least = std::min(least, rig.work);
-      ASSERT_GE(rig.work, -2e-3) << "body " << body << ", way " << trial << ", reach " << way.reach;
+      ASSERT_GE(rig.work, -2e-3) << "body " << body << ", way " << trial << ", reach " << motion.reach;
       rig.events.clear();
     }
   }
@@ -75,13 +75,13 @@ TEST(LayeredEnergy, no_cycle_in_a_punctured_channel_gains_work) {
     double total = 0.0;
     for (int cycle = 0; cycle < 3; ++cycle) {
       rig.work = 0.0;
-      const ClosedWay way(random);
+      const ClosedMotion motion(random);
       const double size = random.uniform(0.02, 1.0);
-      for (int tick = 1; tick <= 800; ++tick) rig.to(start + size * way.depth(tick / 800.0));
+      for (int tick = 1; tick <= 800; ++tick) rig.to(start + size * motion.depth(tick / 800.0));
       rig.to(start);
       total += rig.work;
     }
-    // What was stored in stretched tissue before the cycle may come back; it is less than this.
+    // Energy stored in stretched tissue before the cycle may be returned; it is less than this.
     ASSERT_GE(total, -0.6) << "trial " << trial;
   }
 }

@@ -132,7 +132,7 @@ TEST(Layered, jitter_around_rest_does_not_chatter) {
   }
 }
 
-// No force at rest can exceed what static friction holds, whatever the motion before it.
+// No force at rest can exceed the static friction, whatever the previous motion.
 TEST(Layered, a_jump_and_back_leaves_no_more_than_static_friction) {
   for (const double jump : {0.5, 3.0, 10.0, -3.0, -10.0}) {
     LayeredRig rig({{skin, 2}, {muscle, 60}});

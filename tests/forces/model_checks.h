@@ -159,7 +159,7 @@ void bounded_when_saturated(Make&& make, double limit) {
   move(hand, -2.0, 1000.0, check);
 }
 
-// A reversal in every tick for 10 s: the force of the last second swings no more than that of the first.
+// A reversal in every tick for 10 s: the force swings in the last second no more than in the first.
 template <typename Make>
 void no_growth_under_reversal_at_every_tick(Make&& make, double depth, double amplitude = 0.02) {
   auto step = make();

@@ -84,7 +84,7 @@ TEST(NeedleLaw, friction_is_that_of_the_measured_needle_in_liver) {
 TEST(NeedleLaw, every_model_gives_way_at_the_same_force) {
   for (const Needle& needle : {gauge_needle(16, NeedleTip::tuohy), gauge_needle(22, NeedleTip::quincke)}) {
     const Case patient = patient_with_needle(needle);
-    const TissueLibrary felt = felt_tissues(patient);
+    const TissueLibrary felt = effective_tissues(patient);
     for (const TissueProperties& tissue : felt.tissues()) {
       const double force = puncture_force(tissue.physical, needle);
       if (!(force > 0.0)) continue;
@@ -107,7 +107,7 @@ TEST(NeedleLaw, the_ligamentum_flavum_alone_is_cut_on_with_what_tears) {
       {gauge_needle(27, NeedleTip::quincke), tears / (tears + spreads)},
       {gauge_needle(18, NeedleTip::tuohy), tears / (tears + bevel * spreads)}};
   for (const auto& [needle, share] : expected) {
-    const TissueLibrary felt = felt_tissues(patient_with_needle(needle));
+    const TissueLibrary felt = effective_tissues(patient_with_needle(needle));
     for (const TissueProperties& tissue : felt.tissues()) {
       const double force = cutting_force(tissue.physical, needle);
       const bool is_flavum = tissue.id == tissue::ligamentum_flavum;
@@ -121,7 +121,7 @@ TEST(NeedleLaw, the_ligamentum_flavum_alone_is_cut_on_with_what_tears) {
 
 TEST(NeedleLaw, the_layered_law_passes_through_the_puncture_force_at_the_dimpling) {
   const Needle needle = gauge_needle(22, NeedleTip::quincke);
-  const TissueLibrary felt = felt_tissues(patient_with_needle(needle));
+  const TissueLibrary felt = effective_tissues(patient_with_needle(needle));
   const TissueProperties& dura = *felt.find(tissue::dura);
   const double dx = dura.layered.element_spacing, a = dura.physical.dimpling / dx;
   EXPECT_NEAR(dura.layered.stiffness * dx * a * (a + 1.0) * (a + 2.0) / 6.0, dura.layered.break_force, 1e-9);
@@ -129,11 +129,11 @@ TEST(NeedleLaw, the_layered_law_passes_through_the_puncture_force_at_the_dimplin
 
 TEST(NeedleLaw, tables_and_tissues_without_a_description_are_left_as_they_are) {
   Case patient = patient_with_needle(gauge_needle(14, NeedleTip::tuohy));
-  const TissueLibrary felt = felt_tissues(patient);
+  const TissueLibrary felt = effective_tissues(patient);
   EXPECT_TRUE(same_parameters(felt.find(tissue::cortical_bone)->layered,
                               patient.library.find(tissue::cortical_bone)->layered));
   patient.description.haptics.mechanics = Mechanics::tables;
-  const TissueLibrary same = felt_tissues(patient);
+  const TissueLibrary same = effective_tissues(patient);
   for (const TissueProperties& tissue : same.tissues())
     EXPECT_TRUE(same_parameters(tissue, *patient.library.find(tissue.id))) << tissue.name;
   EXPECT_DOUBLE_EQ(felt_settings(FractureSettings{}, patient).width, FractureSettings{}.width);

@@ -82,12 +82,12 @@ TEST(ShaftFriction, adds_the_tissues_along_the_shaft) {
   EXPECT_NEAR(shaft_contact(layers, 1.0, 25.0, tissues).coulomb, 1.4, 1e-12);  // Sutherland et al. 2013, eq. 2
   EXPECT_NEAR(shaft_contact(layers, 1.0, 20.5, tissues).coulomb, 0.5, 1e-12);
   EXPECT_EQ(shaft_contact(layers, 1.0, -1.0, tissues).coulomb, 0.0);
-  // Tissue that cannot hold the shaft does not stretch with it.
+  // Tissue without friction on the shaft does not stretch with it.
   tissues[tissue::fat] = {0.0, 0.0, 3.0, 0.0};
   std::vector<TissueId> with_fat = layers;
   with_fat.insert(with_fat.end(), 10, tissue::fat);
   EXPECT_NEAR(shaft_contact(with_fat, 1.0, 35.0, tissues).stiffness, 20.0 * 1.0 + 5.0 * 10.0, 1e-12);
-  // Withdrawing turns the sign; stopping after an advance keeps the force, without a jump.
+  // Withdrawal reverses the sign; stopping after an advance keeps the force, without a jump.
   FrictionBench bench;
   bench.contact = shaft_contact(layers, 1.0, 25.0, tissues);
   checks::Hand hand(0.0);

@@ -115,7 +115,7 @@ TEST(SurfaceProxy, wedges_of_any_angle_hold_as_the_projection_says) {
     for (Vec3& n : normals) n = Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const Vec3 pull(random.normal(), random.normal(), random.normal());
     const std::size_t count = static_cast<std::size_t>(random.uniform(0.0, 4.0));
-    const HeldWay held = held_way(pull, normals, count);
+    const ConstrainedMotion held = constrained_motion(pull, normals, count);
     // The projection is feasible, and no other point of the cone is nearer (checked along random ways).
     for (std::size_t i = 0; i < count; ++i) ASSERT_GE(normals[i].dot(held.slide), -1e-9);
     for (int other = 0; other < 200; ++other) {
@@ -269,8 +269,8 @@ TEST(SurfaceProxy, stays_outside_a_rough_body_whatever_the_hand_does) {
   }
 }
 
-// The hand moves the tip while the proxy rests, which stores what it pays in the spring; then the proxy follows,
-// which must give nothing back. So at the end the hand has paid at least for what the spring still holds.
+// The hand moves the tip while the proxy rests, which stores its work in the spring; then the proxy follows, which
+// must return no energy. So the hand's total work is at least the energy still in the spring.
 void expect_passive(const SurfaceProxySettings& settings) {
   const Surface ball = shapes::sphere(10.0, 3);
   Random shape(6), random(12);

@@ -82,7 +82,7 @@ TEST(TrackingWall, catches_up_from_the_tick_of_the_stop_on) {
   for (const int still : {1, 10, 28, 100, 250, 499}) {
     EXPECT_NEAR(wall_after_a_stop(0.0, still), 10.0 + 2.0 * still / 500.0, 1e-6) << still << " ms without noise";
   }
-  // With a device the rest is known late, and what was missed is made up.
+  // With a device the rest is detected late, and the missed motion is made up.
   for (const int still : {100, 250, 499})
     EXPECT_NEAR(wall_after_a_stop(0.03, still), 10.0 + 2.0 * still / 500.0, 0.04) << still << " ms";
 }

@@ -18,8 +18,7 @@ using namespace bodkin::io;
 using namespace bodkin::simulation;
 namespace {
 
-// What a contributor writes: only what a model asks for. A model for which the tissue states nothing meets no
-// resistance.
+// A contributor writes only the numbers for a model. In a model without numbers the tissue does not resist.
 constexpr const char* gelatine = R"(
   <tissue id="32" name="gelatine" title="gelatine" colour="#A1B2C3" hounsfield_HU="20" hounsfield_noise_HU="5">
     <layered>

@@ -1,5 +1,5 @@
-// What every resistance with every constraint must hold: finite, passive, the same at half the tick, the same bits on
-// repetition, bounded, quiet. Forces are those that the models ask for, before the governor.
+// Requirements of every resistance with every constraint: finite, passive, the same at half the tick, the same bits
+// on repetition, bounded, quiet. Forces are the models' requests, before the governor.
 #include <algorithm>
 #include <bit>
 #include <cmath>

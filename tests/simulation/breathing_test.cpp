@@ -1,4 +1,4 @@
-// A patient who breathes in the tick: what the hand feels is what it would feel in still tissue, moved the other way.
+// A patient who breathes in the tick: the hand feels the same as in resting tissue with the opposite motion.
 #include <cmath>
 #include <numbers>
 
@@ -36,7 +36,7 @@ Vec3 material_of(const Breathing& breathing, const Vec3& place, int tick) {
   return material;
 }
 
-// mm below the skin that the hand holds the needle: in, and then still while the tissue moves.
+// Depth of the hand's needle, mm below the skin: in, then at rest while the tissue moves.
 double held(int tick) {
   return std::min(22.0, -6.0 + 0.02 * tick);
 }
@@ -71,7 +71,7 @@ TEST_P(BreathingModels, feel_what_the_needle_does_in_the_tissue) {
 INSTANTIATE_TEST_SUITE_P(Breathing, BreathingModels, ::testing::ValuesIn(all_resistances()),
                          [](const auto& each) { return each.param.name; });
 
-// Wide and even, the motion takes a deformable body along as a whole.
+// Wide and even motion carries a deformable body along as a whole.
 TEST(Breathing, moves_a_deformable_body_and_the_needle_in_it) {
   for (const NamedResistance& resistance : all_resistances()) {
     if (!resistance.name.starts_with("embedded_needle")) continue;

@@ -1,4 +1,4 @@
-// Numbers that change while a needle is in: another tick takes over.
+// Changes of numbers during an insertion: another tick takes over.
 #include "simulation/changing_tick.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST_F(Changing, force_goes_over_in_a_tenth_of_a_second_and_then_is_that_of_an_i
   double greatest_step = 0.0, last = 0.0, difference = 0.0;
   for (int tick = 0; tick < end; ++tick) {
     if (tick == taken_at) {
-      ASSERT_TRUE(felt.take(firm_tick_));
+      ASSERT_TRUE(felt.switch_to(firm_tick_));
     }
     const TickOutput now = felt.step(input_at(tick));
     const TickOutput soft = only_soft.step(input_at(tick)), firm = only_firm.step(input_at(tick));
@@ -66,14 +66,14 @@ TEST_F(Changing, force_goes_over_in_a_tenth_of_a_second_and_then_is_that_of_an_i
 
 TEST_F(Changing, another_one_waits_until_the_first_has_settled) {
   ChangingTick felt(soft_tick_);
-  EXPECT_TRUE(felt.take(firm_tick_));
+  EXPECT_TRUE(felt.switch_to(firm_tick_));
   HapticTick third(soft_);
-  EXPECT_FALSE(felt.take(third));
+  EXPECT_FALSE(felt.switch_to(third));
   for (int tick = 0; tick < blend - 1; ++tick) felt.step(input_at(tick));
   EXPECT_TRUE(felt.is_settling());
   felt.step(input_at(blend - 1));
   EXPECT_FALSE(felt.is_settling());
-  EXPECT_TRUE(felt.take(third));
+  EXPECT_TRUE(felt.switch_to(third));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ OperatorCondition switch_after(double time, int next) {
   return condition;
 }
 
-// Goes in by steps until something gives way, holds, aims again and goes in once more, on and on.
+// Advances by steps until a puncture, holds, aims again and advances once more, repeatedly.
 OperatorScript restless() {
   OperatorScript script;
   script.name = "restless";

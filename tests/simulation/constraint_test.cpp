@@ -27,7 +27,7 @@ TEST(Constraint, forces_at_the_hub_reach_the_tip_with_the_torque_that_they_make)
     const Vec3 axis = Vec3(0.0, std::sin(0.05), std::cos(0.05));
     const Wrench wrench = constraint.step(40.0 * axis, axis, false);
     ASSERT_GT(wrench.force.norm(), 0.0) << name_of(settings);
-    // About the hub nothing is left: M_tip = r x F with r from tip to hub.
+    // The torque about the hub is zero: M_tip = r x F with r from tip to hub.
     EXPECT_NEAR((wrench.torque - (-90.0 * axis).cross(wrench.force)).norm(), 0.0, 1e-9) << name_of(settings);
     // The hub leans to -y and is pushed back towards +y.
     EXPECT_GT(wrench.force.y(), 0.0) << name_of(settings);

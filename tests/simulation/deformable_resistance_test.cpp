@@ -141,7 +141,7 @@ TEST(DeformableResistance, is_what_the_embedded_needle_says) {
   EXPECT_TRUE(begun);
 }
 
-// The hand holds still; the tissue relaxes, and the spring that stands for a weak device does not.
+// The hand holds still; the tissue relaxes, but the spring that represents a weak device does not.
 TEST(DeformableResistance, tissue_relaxes_where_the_case_says_so) {
   for (const double device : {1e6, 0.5}) {
     Case patient = deformable_patient(EmbeddedNeedleSettings{}, device, 0.4);
@@ -187,7 +187,7 @@ Case patient_with_a_thin_needle(double cut_offset, NeedleHold hold = NeedleHold:
   return patient;
 }
 
-// What the hand feels at every tick of a way to 40 mm at 20 mm/s, with the needle turned by `roll` from half-way on.
+// The force at every tick on the way to 40 mm at 20 mm/s, with the needle turned by `roll` from half-way on.
 std::vector<Wrench> steered_in(const Case& patient, double roll_before, double roll_after) {
   HapticTick tick(patient);
   std::vector<Wrench> felt;
@@ -279,14 +279,14 @@ TEST(DeformableResistance, the_needle_in_the_body_is_behind_the_hand_by_the_spri
   const Case strong = deformable_patient(EmbeddedNeedleSettings{}, 1e6, 0.5);
   HapticTick firm(strong);
   push_in(firm, 15.0);
-  EXPECT_EQ(firm.body()->needle_ahead().norm(), 0.0);
+  EXPECT_EQ(firm.body()->coupling_offset().norm(), 0.0);
   const Case weak = deformable_patient(EmbeddedNeedleSettings{}, 0.6, 0.5);
   HapticTick soft(weak);
-  EXPECT_EQ(soft.body()->needle_ahead().norm(), 0.0);
+  EXPECT_EQ(soft.body()->coupling_offset().norm(), 0.0);
   const Felt felt = push_in(soft, 15.0);
   const double spring = (1.0 - soft.stiffness_scale()) / 0.6;  // mm/N: 1/0.6 less the body's own compliance
-  EXPECT_NEAR(soft.body()->needle_ahead().z(), spring * felt.end, 1e-9);
-  EXPECT_GT(soft.body()->needle_ahead().z(), 0.2);
+  EXPECT_NEAR(soft.body()->coupling_offset().z(), spring * felt.end, 1e-9);
+  EXPECT_GT(soft.body()->coupling_offset().z(), 0.2);
 }
 
 TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_energy) {
@@ -314,8 +314,8 @@ TEST(DeformableResistance, bone_stops_the_needle_and_lets_go_without_giving_ener
   EXPECT_EQ(count(EventKind::points_passed), 0);  // bone has no nodes and needs none
 }
 
-// Bent aside while it leans on bone, drawn back from there, and straightened: what the bent shaft pushes back with is
-// paid for by the hand on the way in.
+// Bent aside while leaning on bone, withdrawn, and straightened: the hand pays on the way in for the energy returned
+// by the bent shaft.
 TEST(DeformableResistance, a_needle_that_is_bent_on_bone_gives_no_work) {
   for (const double slope : {0.0, 0.05, -0.05}) {
     Case patient = patient_with_a_thin_needle(0.0);

@@ -1,6 +1,6 @@
-// Every resistance, constraint and device with 0 to 3 ms of delay, in hands and devices that know nothing of the
-// guard. BODKIN_CAMPAIGN_TICKS=77000000 simulation_tests --gtest_filter='DelayedCampaign.*' is the long form, whose
-// table is in docs/safety.md; BODKIN_CAMPAIGN_DEVICE=Touch runs one row of it.
+// Every resistance, constraint and device with 0 to 3 ms of delay, in hands and devices independent of the guard.
+// BODKIN_CAMPAIGN_TICKS=77000000 simulation_tests --gtest_filter='DelayedCampaign.*' is the long form, whose table is
+// in docs/safety.md; BODKIN_CAMPAIGN_DEVICE=Touch runs one row of it.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -64,8 +64,8 @@ struct CycleMark {
   Vec3 pushed;                   // N, summed over the ticks until then
 };
 
-// N mm that whole cycles create in half a second. What their mean force does by moving the hand on comes from a
-// tissue that gives way.
+// N mm created by whole cycles in half a second. The work of their mean force on the hand's drift comes from yielding
+// tissue.
 double created_in_cycles(const std::vector<CycleMark>& marks) {
   const CycleMark& first = marks.front();
   const CycleMark& last = marks[marks.size() - (marks.size() % 2 == 1 ? 1 : 2)];  // on the same side
@@ -75,7 +75,7 @@ double created_in_cycles(const std::vector<CycleMark>& marks) {
   return 500.0 / ticks * created.maxCoeff();
 }
 
-// What a hand at rest does in half a second.
+// The motion of a hand at rest in half a second.
 struct RestSeen {
   int turns = 0;
   double width = 0.0;      // mm from side to side
@@ -83,9 +83,9 @@ struct RestSeen {
   double strongest = 0.0;  // N
   double kept = 0.0;       // of the first swing's width that the last one has
 
-  // A swing that dies away ends by itself, and a hand that swings on its own arm after the force was taken from it is
-  // not shaken by the device.
-  bool goes_on() const { return turns > 6 && strongest > least_force && kept > 0.85; }
+  // A decaying swing ends by itself, and a hand that swings on its arm after the force was removed is not shaken by
+  // the device.
+  bool continues() const { return turns > 6 && strongest > least_force && kept > 0.85; }
 };
 
 RestSeen rest_of(DelayedRig& rig) {
@@ -138,13 +138,13 @@ void perform_trial(DelayedRig& rig, DelayedTally& tally, const std::string& what
   for (int i = 0; i < 2000; ++i) ASSERT_TRUE(step()) << what;
   RestSeen seen = rest_of(rig);
   ASSERT_TRUE(rig.is_safe()) << what;
-  const bool swings = seen.goes_on();
+  const bool swings = seen.continues();
   if (swings) {
     for (int i = 0; i < 3000; ++i) ASSERT_TRUE(step()) << what;
     seen = rest_of(rig);
     ASSERT_TRUE(rig.is_safe()) << what;
   }
-  const bool restless = seen.goes_on();
+  const bool restless = seen.continues();
   tally.swung += swings ? 1 : 0;
   tally.restless += restless ? 1 : 0;
   tally.calmed += rig.count(GuardReason::halved) > 0 ? 1 : 0;
@@ -218,7 +218,7 @@ TEST(DelayedCampaign, late_forces_stay_within_their_limits_and_shake_no_hand_for
   EXPECT_LE(sum.most_fading, fading_bound) << "N mm";
 }
 
-// Needles that went on shaking a light hand at 25 Hz, and the wall that is active by design.
+// Needles that kept shaking a light hand at 25 Hz, and the wall that is active by design.
 TEST(DelayedCampaign, an_embedded_needle_and_a_tracking_wall_on_an_omega_3_come_to_rest) {
   const PublishedDevice& omega = published_devices()[1];
   ASSERT_STREQ(omega.name, "omega.3");

@@ -1,7 +1,7 @@
 #pragma once
 
-// The whole chain of a real device around a hand, like SafetyRig, with a device that is independent of what is
-// tested: its mass, damping, friction and delay do not come from the stiffness that it is asked to render.
+// The whole chain of a real device around a hand, like SafetyRig, with an independent device: its mass, damping,
+// friction and delay are not derived from the stiffness to be rendered.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include "tests/simulation/slab_patient.h"
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ Case fluid_patient() {
   return patient;
 }
 
-struct FeltPart {
+struct PushResult {
   std::vector<Event> events;
   TickOutput last;
   std::vector<double> published;  // the diagnostic that was asked for, tick by tick
@@ -49,8 +50,8 @@ double named(const HapticTick& haptics, const TickOutput& output, std::string_vi
   return found == names.end() ? NAN : output.diagnostics[static_cast<std::size_t>(found - names.begin())];
 }
 
-FeltPart push(HapticTick& haptics, double to, double speed, std::string_view name) {
-  FeltPart felt;
+PushResult push(HapticTick& haptics, double to, double speed, std::string_view name) {
+  PushResult felt;
   for (double depth = -2.0; depth < to; depth += speed * haptics.dt()) {
     felt.last = haptics.step(needle_at(depth));
     felt.published.push_back(named(haptics, felt.last, name));
@@ -64,13 +65,59 @@ TEST(ForcePart, a_bevel_pulls_the_tip_to_the_circle_that_it_cuts) {
   patient.description.haptics.parts.bevel_tip = BevelTipSettings{.curvature = 0.005, .stiffness = 0.05, .limit = 5.0};
   HapticTick haptics(patient);
   const double depth = 40.0;
-  const FeltPart felt = push(haptics, depth, 20.0, "bevel_aside_mm");
+  const PushResult felt = push(haptics, depth, 20.0, "bevel_aside_mm");
   // A circle of radius 200 mm: after 40 mm of path (1 - cos 0.2) 200 mm aside.
   const double aside = 200.0 * (1.0 - std::cos(0.005 * felt.last.depth));
   EXPECT_NEAR(felt.published.back(), aside, 0.02);
   EXPECT_NEAR(named(haptics, felt.last, "bevel_N"), 0.05 * aside, 0.002);
   EXPECT_NEAR(felt.last.requested.force.y(), -0.05 * aside, 0.002) << "towards the point, the side of -y";
   EXPECT_NEAR(felt.last.requested.force.x(), 0.0, 1e-9);
+}
+
+// A finger on the skin, then the needle into the fluid, turning, and out again: what each tick gives.
+std::vector<double> felt_with(const Case& patient) {
+  HapticTick haptics(patient);
+  std::vector<double> given;
+  const auto at = [&](double depth, bool finger) {
+    TickInput input = needle_at(depth);
+    input.other.finger = finger;
+    input.needle.rotate(Eigen::AngleAxisd(finger ? 0.0 : depth, Vec3::UnitZ()));
+    const TickOutput output = haptics.step(input);
+    given.insert(given.end(), output.requested.force.begin(), output.requested.force.end());
+    given.insert(given.end(), output.diagnostics.begin(), output.diagnostics.end());
+  };
+  for (const bool finger : {true, false}) {
+    const double deepest = finger ? 5.0 : 50.0;
+    for (double depth = -2.0; depth < deepest; depth += 0.05) at(depth, finger);
+    for (double depth = deepest; depth > -2.0; depth -= 0.05) at(depth, finger);
+  }
+  return given;
+}
+
+// A part of the table of ForceParts that nobody takes would change nothing.
+TEST(ForcePart, each_of_the_table_is_felt_or_published) {
+  Case plain = fluid_patient();
+  plain.description.haptics.resistance = SpringDamperWallSettings{.damping = 0.0};
+  ASSERT_EQ(felt_with(plain), felt_with(plain));
+  for (std::size_t part = 0; part < std::tuple_size_v<decltype(ForceParts::parameters())>; ++part) {
+    Case with = plain;
+    std::size_t at = 0;
+    std::string_view name;
+    for_each_inside(
+        [&](const auto& entry, auto& value) {
+          if (at++ != part) return;
+          name = entry.name;
+          if constexpr (parameter_detail::is_list<std::remove_cvref_t<decltype(entry)>>)
+            value.emplace_back();
+          else
+            value.emplace();
+        },
+        with.description.haptics.parts);
+    Case without = plain;
+    if (name == "needle_grasp")  // acts on the friction of the shaft
+      for (Case* patient : {&with, &without}) patient->description.haptics.parts.shaft_friction.emplace();
+    EXPECT_NE(felt_with(with), felt_with(without)) << name;
+  }
 }
 
 TEST(ForcePart, a_symmetric_tip_pulls_nowhere_and_changes_no_bit_along_the_line) {
@@ -124,7 +171,7 @@ TEST(ForcePart, fluid_rises_in_the_manometer_once_the_tip_is_in_fluid_and_not_wi
   Case patient = fluid_patient();
   patient.description.haptics.parts.csf_flow.emplace();
   HapticTick haptics(patient);
-  const FeltPart felt = push(haptics, 50.0, 20.0, "csf_height_mm");
+  const PushResult felt = push(haptics, 50.0, 20.0, "csf_height_mm");
   const Event* returned = felt.first(EventKind::fluid_returned);
   ASSERT_NE(returned, nullptr);
   EXPECT_NEAR(returned->depth, 44.0, 0.1);
@@ -145,13 +192,13 @@ TEST(ForcePart, fluid_returns_with_physical_mechanics_where_the_deformed_tissue_
   patient.description.haptics.mechanics = Mechanics::physical;
   patient.description.haptics.parts.csf_flow.emplace();
   HapticTick haptics(patient);
-  const FeltPart felt = push(haptics, 55.0, 20.0, "csf_height_mm");
+  const PushResult felt = push(haptics, 55.0, 20.0, "csf_height_mm");
   const Event* returned = felt.first(EventKind::fluid_returned);
   ASSERT_NE(returned, nullptr);
   EXPECT_EQ(returned->tissue, tissue::cerebrospinal_fluid);
 }
 
-// Stylet out, drip, manometer on, off, on, stylet in: what a whole lumbar puncture does with the fluid.
+// Stylet out, drip, manometer on, off, on, stylet in: the handling of fluid in a whole lumbar puncture.
 TEST(ForcePart, stylet_and_manometer_are_handled_while_the_needle_is_in_fluid) {
   Case patient = fluid_patient();
   patient.description.haptics.parts.csf_flow =
@@ -230,7 +277,7 @@ TEST(ForcePart, the_syringe_holds_pressure_in_the_ligament_and_loses_it_in_the_e
   patient.description.needle.outer_diameter = 1.651;  // 16G: a thin needle holds the pressure up by itself
   patient.description.needle.inner_diameter = 1.194;
   HapticTick haptics(patient);
-  const FeltPart felt = push(haptics, 42.0, 5.0, "syringe_pressure_MPa");
+  const PushResult felt = push(haptics, 42.0, 5.0, "syringe_pressure_MPa");
   const Event* lost = felt.first(EventKind::pressure_lost);
   ASSERT_NE(lost, nullptr);
   EXPECT_GT(lost->depth, 35.9);

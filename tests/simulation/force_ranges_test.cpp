@@ -1,4 +1,4 @@
-// What the schema of case files allows, the engine can do: no case that was read is refused later for a number alone.
+// The engine accepts everything that the case schema allows: no case is refused later only for a number.
 #include <regex>
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ using namespace bodkin::io;
 using namespace bodkin::simulation;
 namespace {
 
-// A few voxels of muscle and a device that can do anything.
+// A few voxels of muscle and a device without limits.
 Case strong_patient() {
   Case patient;
   patient.library = default_tissue_library();
@@ -58,7 +58,7 @@ std::vector<ForceRange> ranges_of(const std::string& schema, const std::string& 
   return ranges;
 }
 
-// What must be given beside an end of a range because one value bounds another.
+// Values required with an end of a range because one value bounds another.
 std::string beside(const std::string& model, const ForceRange& range, bool at_low) {
   const auto pair = [](const char* name, const char* value) {
     return std::string(" ").append(name).append("='").append(value).append("'");

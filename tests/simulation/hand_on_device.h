@@ -7,9 +7,9 @@
 
 namespace bodkin {
 
-// A hand that holds a device, as they really are: mass, friction and damping of the mechanism, a hand that pulls with
-// a spring and a damper towards where it means to be, an encoder that counts, and a command that takes effect one
-// tick after the reading it answers. Operator's frame, mm, s, N, kg.
+// A realistic hand that holds a device: mass, friction and damping of the mechanism, a hand that pulls with a spring
+// and a damper towards its intended position, an encoder with counts, and a command that takes effect one tick after
+// the reading it answers. Operator's frame, mm, s, N, kg.
 struct HandOnDevice {
   double mass = 0.2;            // kg, handle and fingers
   double friction = 0.05;       // N

@@ -21,7 +21,7 @@ namespace {
 
 using namespace tissue;
 
-// Drives a tick and keeps what happened.
+// Drives a tick and records the results.
 struct Drive {
   explicit Drive(const Case& patient) : tick(patient) {}
 

@@ -1,5 +1,5 @@
-// What leaves the governor, each force held over the next tick as a motor holds it, gives the hand no work: on many
-// ways of every pair of a resistance and a constraint.
+// The governor's output, each force held over the next tick as by a motor, does no work on the hand: on many ways of
+// every pair of a resistance and a constraint.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -17,15 +17,15 @@
 namespace bodkin {
 namespace {
 
-// The ways are short, so that there can be many of them. What a held force may give in a tick goes with the square of
-// the step, so most legs are fast; half of them stay near the place where the needle is, as a hand that probes; a
-// slow one is rare, for it takes as many ticks as ten others.
+// The ways are short, so that there can be many of them. The possible work of a held force per tick grows with the
+// square of the step, so most legs are fast; half of them stay near the needle's place, like a probing hand; slow
+// ones are rare, because each takes as many ticks as ten others.
 constexpr double quick = 60.0;       // mm/s and more
 constexpr double slow_share = 0.05;  // of the legs, below that
 constexpr double near = 4.0;         // mm
 
-// On so many ways more is found than on the few of AllModels. `pivot` stiffens with depth at no cost along the
-// needle, as its paper has it (docs/models/pivot.md), and gives most: 2 N over a few millimetres.
+// So many ways find more than the few of AllModels. `pivot` stiffens with depth at no cost along the needle, as its
+// paper has it (docs/models/pivot.md), and gives most: 2 N over a few millimetres.
 constexpr double least_on_many_ways = -3.0;  // N mm
 
 void walk(Player& player, Random& random) {
@@ -87,9 +87,8 @@ TEST_P(HeldForceCampaign, gives_the_hand_no_work) {
   }
 }
 
-// What a device's greatest force cuts off is cut off along the force, also where two springs of unequal stiffness
-// pull: that field has no potential any more. A surface that is pressed by 20 mm beside a line that holds sideways
-// shows it.
+// A device's greatest force truncates along the force, even if two springs of unequal stiffness pull: that field no
+// longer has a potential. A surface that is pressed by 20 mm beside a line that holds sideways shows it.
 TEST(HeldForceLimit, two_springs_give_work_only_where_the_device_cuts_their_force_off) {
   const std::vector<NamedResistance> resistances = all_resistances();
   const std::vector<NamedConstraint> constraints = all_constraints();

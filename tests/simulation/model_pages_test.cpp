@@ -1,4 +1,4 @@
-// The page of a model says what the model publishes.
+// The page of a model lists its published numbers.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -1,9 +1,13 @@
 #pragma once
 
 // Every resistance and every constraint that a case can choose, in the variants that behave differently.
+#include <algorithm>
 #include <memory>
 #include <ostream>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "tests/fem/dense_body.h"
@@ -29,44 +33,61 @@ inline void PrintTo(const NamedResistance& resistance, std::ostream* out) {
   *out << resistance.name;
 }
 
+// Those that are listed, and each other model of the variant with its defaults.
+template <typename Named, typename... Models>
+std::vector<Named> with_the_rest(std::vector<Named> listed, std::type_identity<std::variant<Models...>> /*of*/) {
+  const auto add = [&listed](const auto& settings) {
+    const auto is_it = [&](const Named& one) { return name_of(one.settings) == settings.element; };
+    if (settings.element == RegisteredSettings::element || std::any_of(listed.begin(), listed.end(), is_it)) return;
+    Named other;
+    other.name = settings.element;
+    other.settings = settings;
+    listed.push_back(std::move(other));
+  };
+  (add(Models()), ...);
+  return listed;
+}
+
 inline std::vector<NamedResistance> all_resistances() {
   ForceParts rubbing, relaxing;
   rubbing.shaft_friction.emplace();
   relaxing.relaxation = {{0.4, 0.2}, {0.2, 2.0}};
-  return {{"layered", LayeredSettings{}, {}},
-          {"layered_sum", LayeredSettings{.law = LayeredLaw::sum}, {}},
-          {"layered_strict", LayeredSettings{.strict = true}, {}},
-          {"spring_damper_wall", SpringDamperWallSettings{.damping = 0.0001}, {}},
-          {"spring_damper_wall_relaxing", SpringDamperWallSettings{.damping = 0.0}, relaxing},
-          {"tracking_wall", TrackingWallSettings{}, {}},
-          {"tracking_wall_rubbing", TrackingWallSettings{}, rubbing},
-          {"tracking_wall_relaxing", TrackingWallSettings{.catch_up = 1e6}, relaxing},
-          {"tracking_wall_strict", TrackingWallSettings{.strict = true}, {}, true},
-          {"tracking_wall_leash", TrackingWallSettings{.leash = true}, {}},
-          {"depth_profile", DepthProfileSettings{}, {}},
-          {"depth_profile_rubbing", DepthProfileSettings{}, rubbing},
-          {"volume_proxy_drag", VolumeProxySettings{}, {}},
-          {"volume_proxy_viscous", VolumeProxySettings{.variant = ProxyVariant::viscous}, {}},
-          {"volume_proxy_two_sided", VolumeProxySettings{.two_sided = true}, {}},
-          {"volume_proxy_of_value",
-           VolumeProxySettings{.transfer = {{0.0, {}}, {0.4, {0.8, 0.2, 0.2, 0.0}}, {1.0, {6.0, 4.0, 0.5, 0.0}}}},
-           {}},
-          {"three_component", ThreeComponentSettings{}, {}},
-          {"fracture", FractureSettings{}, {}},
-          {"fracture_rubbing", FractureSettings{}, rubbing},
-          {"shaft_friction", ShaftFrictionSettings{}, {}},
-          {"embedded_needle", EmbeddedNeedleSettings{}, {}},
-          {"embedded_needle_bending",
-           EmbeddedNeedleSettings{.bending = {.flexible = true, .cut_offset = 0.1}},
-           {},
-           false,
-           0.05},
-          {"surface_proxy", SurfaceProxySettings{.stiffness = 0.5}, {}},
-          {"surface_proxy_sliding",
-           SurfaceProxySettings{.stiffness = 0.5, .static_friction = 0.0, .dynamic_friction = 0.0},
-           {}},
-          // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
-          {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}};
+  return with_the_rest<NamedResistance>(
+      {{"layered", LayeredSettings{}, {}},
+       {"layered_sum", LayeredSettings{.law = LayeredLaw::sum}, {}},
+       {"layered_strict", LayeredSettings{.strict = true}, {}},
+       {"spring_damper_wall", SpringDamperWallSettings{.damping = 0.0001}, {}},
+       {"spring_damper_wall_relaxing", SpringDamperWallSettings{.damping = 0.0}, relaxing},
+       {"tracking_wall", TrackingWallSettings{}, {}},
+       {"tracking_wall_rubbing", TrackingWallSettings{}, rubbing},
+       {"tracking_wall_relaxing", TrackingWallSettings{.catch_up = 1e6}, relaxing},
+       {"tracking_wall_strict", TrackingWallSettings{.strict = true}, {}, true},
+       {"tracking_wall_leash", TrackingWallSettings{.leash = true}, {}},
+       {"depth_profile", DepthProfileSettings{}, {}},
+       {"depth_profile_rubbing", DepthProfileSettings{}, rubbing},
+       {"volume_proxy_drag", VolumeProxySettings{}, {}},
+       {"volume_proxy_viscous", VolumeProxySettings{.variant = ProxyVariant::viscous}, {}},
+       {"volume_proxy_two_sided", VolumeProxySettings{.two_sided = true}, {}},
+       {"volume_proxy_of_value",
+        VolumeProxySettings{.transfer = {{0.0, {}}, {0.4, {0.8, 0.2, 0.2, 0.0}}, {1.0, {6.0, 4.0, 0.5, 0.0}}}},
+        {}},
+       {"three_component", ThreeComponentSettings{}, {}},
+       {"fracture", FractureSettings{}, {}},
+       {"fracture_rubbing", FractureSettings{}, rubbing},
+       {"shaft_friction", ShaftFrictionSettings{}, {}},
+       {"embedded_needle", EmbeddedNeedleSettings{}, {}},
+       {"embedded_needle_bending",
+        EmbeddedNeedleSettings{.bending = {.flexible = true, .cut_offset = 0.1}},
+        {},
+        false,
+        0.05},
+       {"surface_proxy", SurfaceProxySettings{.stiffness = 0.5}, {}},
+       {"surface_proxy_sliding",
+        SurfaceProxySettings{.stiffness = 0.5, .static_friction = 0.0, .dynamic_friction = 0.0},
+        {}},
+       // Half of the 11 mm that its nodes are apart; taking over from a stiff node is active.
+       {"closest_node", ClosestNodeSettings{.capture_radius = 5.5}, {}, true}},
+      std::type_identity<ResistanceSettings>());
 }
 
 struct NamedConstraint {
@@ -80,11 +101,12 @@ inline void PrintTo(const NamedConstraint& constraint, std::ostream* out) {
 }
 
 inline std::vector<NamedConstraint> all_constraints() {
-  return {{"line_spring", LineSpringSettings{}},
-          {"pivot", PivotSettings{}, true},
-          {"rail", RailSettings{}, true},
-          {"beam", BeamSettings{}, true},
-          {"none", NoConstraint{}}};
+  return with_the_rest<NamedConstraint>({{"line_spring", LineSpringSettings{}},
+                                         {"pivot", PivotSettings{}, true},
+                                         {"rail", RailSettings{}, true},
+                                         {"beam", BeamSettings{}, true},
+                                         {"none", NoConstraint{}}},
+                                        std::type_identity<ConstraintSettings>());
 }
 
 // Nodes about the z axis, down to the bone of the slabs, which does not move and has none.
@@ -96,7 +118,7 @@ inline std::shared_ptr<const CondensedBody> slab_body(const TissueVolume& tissue
   return body;
 }
 
-// The slabs of slab_patient() with the tissues that come with Bodkin and a CT, 40 mm wide.
+// The slabs of slab_patient() with the tissues supplied with Bodkin and a CT, 40 mm wide.
 inline Case patient_for(const NamedResistance& resistance, const NamedConstraint& constraint, double rate = 1000.0) {
   Case patient;
   patient.library = default_tissue_library();

@@ -36,7 +36,7 @@ struct Placement {
   }
 };
 
-// Plays placements into a tick and adds up the work that the hand does.
+// Plays placements into a tick and sums the work of the hand.
 class Player {
  public:
   explicit Player(const Case& patient) : tick_(patient) {}

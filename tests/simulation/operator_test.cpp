@@ -42,7 +42,7 @@ OperatorScript machine(std::vector<OperatorPhase> phases) {
   return script;
 }
 
-// An operator whose hand goes exactly where it is meant to, and what pushes back.
+// An operator whose hand moves exactly as intended, and the opposing force.
 class Rehearsal {
  public:
   Rehearsal(const OperatorScript& script, std::uint64_t seed)

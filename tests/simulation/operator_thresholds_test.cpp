@@ -46,7 +46,7 @@ TEST(OperatorThresholds, are_shares_of_the_force_at_which_the_tissue_gives_way) 
   EXPECT_DOUBLE_EQ(known.force_drop.value(), 0.5 * slab_flavum);
   EXPECT_DOUBLE_EQ(known.force_above.value(), 1.5 * slab_flavum);
   EXPECT_FALSE(known.has_share());
-  EXPECT_TRUE(known.is_felt());
+  EXPECT_TRUE(known.has_force_condition());
 }
 
 TEST(OperatorThresholds, are_the_larger_of_share_and_newtons) {

@@ -1,4 +1,4 @@
-// The force falls to zero in an organ where the case wants it, whatever the model; without, no bit changes.
+// The force of every model falls to zero in an organ if the case requests it; otherwise no bit changes.
 #include "simulation/organ_release.h"
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST_P(ForceInOrgan, gives_no_force_while_the_tip_is_in_an_organ_and_never_jumps
     const TickOutput all = felt.step(input), less = none.step(input);
     ASSERT_EQ(all.depth, less.depth);
     ASSERT_EQ(all.tissue, less.tissue);
-    // The model itself goes on as if it were felt.
+    // The model itself continues as if the force were felt.
     ASSERT_EQ(0, std::memcmp(all.diagnostics.data(), less.diagnostics.data(), sizeof(all.diagnostics)));
     const double before = share;
     const bool is_inside =

@@ -131,7 +131,7 @@ TEST(PhysicalMechanics, the_tip_is_in_one_tissue_after_another_and_never_in_one_
   }
 }
 
-// A person who changes numbers begins with these.
+// Changes of numbers begin with these.
 TEST(PhysicalMechanics, the_numbers_that_follow_from_the_description_feel_as_the_description_does) {
   for (const ResistanceSettings& resistance : std::vector<ResistanceSettings>{
            LayeredSettings{}, TrackingWallSettings{}, wall_on_leash(), DepthProfileSettings{}, VolumeProxySettings{},

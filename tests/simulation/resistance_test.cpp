@@ -22,7 +22,7 @@ Case body(const ResistanceSettings& settings = LayeredSettings{}, const ForcePar
   return patient_for({"", settings, parts}, {"none", NoConstraint{}});
 }
 
-// What making the tick says.
+// The message of the tick's constructor.
 std::string refusal(const Case& patient) {
   try {
     const HapticTick tick(patient);

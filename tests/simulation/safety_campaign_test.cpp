@@ -1,4 +1,4 @@
-// Random and adversarial hands on every resistance, constraint and device, through the whole chain of a real device.
+// Random and adversarial hands on every resistance, constraint and device, through a real device's whole chain.
 // BODKIN_CAMPAIGN_TICKS=20000000 build/release/tests/simulation_tests --gtest_filter='SafetyCampaign.*' is the long
 // form, whose numbers are in docs/safety.md.
 #include <algorithm>
@@ -40,7 +40,7 @@ struct Tally {
 };
 
 // How far a hand swings to and fro along any axis, mm: the smaller of its largest way up and its largest way down, so
-// that creeping on is no swing.
+// that creep is not a swing.
 class Swing {
  public:
   void add(const Vec3& position) {
@@ -56,7 +56,7 @@ class Swing {
   Vec3 up_ = Vec3::Zero(), down_ = Vec3::Zero();
 };
 
-// One thing that a hand does, for a while. Returns false at the first unsafe tick.
+// One action of a hand, for a while. Returns false at the first unsafe tick.
 bool misbehave(SafetyRig& rig, bool passive, Tally& tally) {
   Random& random = rig.random;
   const auto step = [&] {
@@ -86,7 +86,7 @@ bool misbehave(SafetyRig& rig, bool passive, Tally& tally) {
     if (kind == 7 && i == 0) rig.aim(std::min(here, bone + 6.0), side);                 // rests, is measured
     if (kind == 2) rig.tilt = 0.002 * side * std::sin(0.01 * i);
     if (!step()) return false;
-    // The first quarter still has what the hand did before.
+    // The first quarter still contains the hand's previous motion.
     if (kind == 7 && i == ticks / 4) calmed = rig.count(GuardReason::halved) + rig.count(GuardReason::oscillation);
     if (kind == 7) quarters[static_cast<std::size_t>(4 * i / ticks)].add(rig.hand.position);
   }
@@ -217,7 +217,7 @@ void lean_on_bone(const NamedResistance& resistance, const DeviceProfile& device
     return;
   }
   all.most_turns = std::max(all.most_turns, turns.count());
-  // Creeping on and giving way now and then is no shaking; that would be 30 turns and more.
+  // Creep and occasional punctures are not shaking, which would be 30 turns and more.
   EXPECT_LE(turns.count(), 6) << what;
   EXPECT_EQ(rig->count(GuardReason::halved), 0) << what;
   EXPECT_EQ(rig->state(), GuardState::active) << what << ": " << text_of(rig->servo->snapshot().fault);
@@ -252,8 +252,8 @@ double stiffness_of(const SafetyRig& rig) {
   return rig.abilities.stiffness > 0.0 ? rig.abilities.stiffness : 1.0;
 }
 
-// What the campaign is looking for exists: walls far too stiff for their device shake the hand, until the guard
-// halves or ends the force.
+// A positive control of the campaign: walls far too stiff for their device shake the hand, until the guard halves or
+// ends the force.
 TEST(SafetyCampaign, a_wall_that_the_device_cannot_render_is_calmed_or_ended) {
   int shaken = 0, ended = 0;
   for (const DeviceProfile& device : devices_with_force()) {

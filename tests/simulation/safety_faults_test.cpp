@@ -1,5 +1,5 @@
-// Everything that can go wrong with a device or a simulation, on every device, with the hand in the tissue and
-// feeling it: how long until the force is zero, and what is told. docs/safety.md has these times.
+// All faults of a device or a simulation, on every device, with the hand feeling tissue: the time to zero force, and
+// the reports. docs/safety.md has these times.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -136,7 +136,7 @@ TEST_P(Faults, end_the_force_in_time_and_are_told) {
       EXPECT_EQ(report.fault.reason, fault.reason);
       EXPECT_EQ(report.count, 200u);
     }
-    // What has gone can come back, when somebody arms again.
+    // A lost device can return, with a new arming.
     rig.spoil = nullptr;
     rig.controller = nullptr;
     rig.device = DeviceState{};

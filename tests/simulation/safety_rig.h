@@ -1,7 +1,7 @@
 #pragma once
 
-// The whole chain that a real device has, around a hand on a simulated mechanism: HapticTick in a ServoTick with
-// workspace and guard.
+// The whole chain of a real device, around a hand on a simulated mechanism: HapticTick in a ServoTick with workspace
+// and guard.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -120,7 +120,7 @@ class SafetyRig {
     device.hand.linear() = Eigen::AngleAxisd(std::acos(-1.0), Vec3::UnitX()).toRotationMatrix();
   }
 
-  // Where the hand means to be: depth and across, mm in the patient.
+  // The hand's intended position: depth and across, mm in the patient.
   void aim(double depth, double x = 0.0, double y = 0.0) { target = Vec3(x, -y, middle - depth); }
   double depth() const { return middle - hand.position.z(); }
 

@@ -33,7 +33,7 @@ CompareOptions options_of(const std::vector<std::string>& names, const Resistanc
   return options;
 }
 
-// Of all models.
+// Options that compare all models.
 CompareOptions options_of_all(double speed, double pause) {
   CompareOptions options = options_of({});
   options.speed = speed;
@@ -41,7 +41,7 @@ CompareOptions options_of_all(double speed, double pause) {
   return options;
 }
 
-// The patient with every tissue changed.
+// The patient with `change` applied to every tissue.
 Case with_tissues(Case patient, const std::function<void(TissueProperties&)>& change) {
   std::vector<TissueProperties> tissues = patient.library.tissues();
   std::for_each(tissues.begin(), tissues.end(), change);
@@ -56,7 +56,7 @@ Case muscle_with_wall(double force) {
   });
 }
 
-// A plain spring from the skin on.
+// A plain spring from the skin inwards.
 const ResistanceSettings plain_spring =
     SpringDamperWallSettings{.stiffness = 0.25, .damping = 0.0, .wall = 0.0, .limit = 100.0};
 
@@ -67,7 +67,7 @@ const ModelRun& run_of(const Comparison& comparison, const std::string& name) {
   return *found;
 }
 
-// What is said to `layered` with changed options.
+// The message that refuses `layered` with changed options.
 std::string comparison_refused(const Case& patient, const std::function<void(CompareOptions&)>& change) {
   try {
     CompareOptions options = options_of({"layered"});
@@ -90,7 +90,7 @@ TEST(Compare, a_tracking_wall_rests_on_its_plateau_until_the_needle_does) {
   }
   EXPECT_NEAR(run.end_of_stop, 0.0, 1e-9);  // the wall has caught up within 0.5 s, the needle rests for 2 s
   EXPECT_NEAR(run.work[in], 0.5 * 2.0 * 4.0 + 2.0 * 16.0, 0.1);
-  // The channel that was cut is free to its old depth.
+  // Within the cut channel the needle is free down to its old depth.
   EXPECT_NEAR(run.peak_again, 0.0, 0.05);
   EXPECT_NEAR(run.work[again], 0.0, 0.05);
 }
@@ -168,10 +168,10 @@ TEST(Compare, a_model_does_not_differ_from_itself_and_from_others_by_a_known_amo
   options.reinsert = false;
   const Case patient = muscle_with_wall(0.0);
   const Comparison comparison = compare_models(patient, options);
-  EXPECT_EQ(comparison.reference, 0U);  // no layered: the first named
+  EXPECT_EQ(comparison.reference, 0U);  // without layered: the first named model
   EXPECT_EQ(comparison.models[0].largest_difference, 0.0);
   EXPECT_EQ(comparison.models[0].rms_difference, 0.0);
-  // Against no force at all, a ramp to 5 N and back: RMS 5 / sqrt(3).
+  // Compared with no force, a linear rise to 5 N and back: RMS 5 / sqrt(3).
   EXPECT_EQ(comparison.models[0].peak, 0.0);
   EXPECT_NEAR(comparison.models[1].largest_difference, 5.0, 0.01);
   EXPECT_NEAR(comparison.models[1].rms_difference, 5.0 / std::sqrt(3.0), 0.01);
@@ -261,7 +261,7 @@ TEST(Compare, settings_make_curves_of_one_model) {
   options.pause = 1.0;
   const Comparison comparison = compare_models(muscle_with_wall(2.0), options);
   EXPECT_NEAR(comparison.models[0].end_of_stop, 0.0, 1e-9);
-  // A quarter of the way from 2 N to none, but for the tenth of a second in which a stop is noticed.
+  // A quarter of the decay from 2 N to zero, less the tenth of a second in which a stop is detected.
   EXPECT_NEAR(comparison.models[1].end_of_stop, 1.5, 0.06);
   const std::string table = comparison_csv(comparison);
   EXPECT_EQ(table.substr(0, table.find('\n')),
@@ -296,7 +296,7 @@ TEST(Compare, parts_of_the_case_are_kept_unless_others_are_given) {
   patient.description.haptics.parts.shaft_friction.emplace();
   CompareOptions options = options_of({"spring_damper_wall", "layered"}, plain_spring);
   const Comparison rubbing = compare_models(patient, options);
-  ASSERT_EQ(rubbing.refused.size(), 1U);  // layered has a friction of its own
+  ASSERT_EQ(rubbing.refused.size(), 1U);  // layered has its own friction
   EXPECT_GT(run_of(rubbing, "spring_damper_wall").closed_work, 1.0);
   options.parts = ForceParts{};
   const Comparison bare = compare_models(patient, options);
@@ -395,7 +395,7 @@ TEST(Compare, with_a_physical_description_the_models_that_know_layers_tell_the_s
                                                               {EventKind::puncture, tissue::dura}};
   for (const ModelRun& run : comparison.models) {
     std::vector<std::pair<EventKind, TissueId>> told;
-    for (const ToldEvent& each : run.told) told.emplace_back(each.event.kind, each.event.tissue);
+    for (const ReportedEvent& each : run.events) told.emplace_back(each.event.kind, each.event.tissue);
     EXPECT_EQ(told, wanted) << run.name;
   }
   EXPECT_EQ(comparison.models[0].peak_tissue, tissue::ligamentum_flavum)

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// Every shipped experiment, played once for all tests.
+// Every shipped experiment, computed once for all tests.
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all = [] {
     std::vector<Figure> played;
@@ -125,7 +125,7 @@ TEST(Experiment, alamilla_feels_nine_layers_whose_components_share_one_threshold
 TEST(Experiment, heng_follows_equation_2_before_the_skin_gives_way) {
   for (const ExperimentTick& tick : figure("heng_2004_fig_6").run.ticks) {
     const double a = tick.depth;
-    if (a <= 0.1 || a > 2.0) continue;  // deeper, the next tissues take part
+    if (a <= 0.1 || a > 2.0) continue;  // deeper, the next tissues contribute
     EXPECT_NEAR(tick.resistance, 0.05 * a * (a + 1.0) * (a + 2.0) / 6.0 + 0.001 * a * tick.velocity, 1e-9) << a;
   }
 }
@@ -134,7 +134,7 @@ TEST(Experiment, kwon_bounds_both_forces_and_lets_go_on_withdrawal) {
   EXPECT_EQ(range(figure("kwon_2001_fig_8"), Quantity::resistance, 0.0, 100.0).second, 6.0);
   const Figure& tilted = figure("kwon_2001_fig_9");
   EXPECT_NEAR(range(tilted, Quantity::constraint, 0.0, 100.0).second, 2.0, 1e-9);
-  // Out of the bone after 0.4 s of the way back, which begins at 6.9 s.
+  // Out of the bone 0.4 s into the withdrawal, which begins at 6.9 s.
   EXPECT_EQ(range(figure("kwon_2001_fig_10"), Quantity::resistance, 7.33, 100.0).second, 0.0);
   EXPECT_GT(range(figure("kwon_2001_fig_10"), Quantity::resistance, 0.0, 6.9).second, 3.9);
 }
@@ -174,8 +174,8 @@ TEST(Experiment, sutherlands_finite_elements_go_up_and_down_in_soft_tissue_and_l
   EXPECT_LT(played.run.ticks.back().resistance, 1.0);
 }
 
-// The layers give way in their order, each at its own force and the friction of 0.1 N/mm at most: with the model's
-// own way of meeting the body, nodes or points.
+// The layers are punctured in order, each at its own force plus at most 0.1 N/mm of friction, with each model's own
+// coupling to the body: nodes or points.
 TEST(Experiment, both_deformable_models_are_played_on_layers) {
   for (const char* model : {"closest_node", "embedded_needle"}) {
     const std::string text = std::string(R"(<experiment version="1" name="stack" title="a stack">
@@ -202,7 +202,7 @@ TEST(Experiment, both_deformable_models_are_played_on_layers) {
   }
 }
 
-// 8 mm beside the line, and tilted in the fat: the layers are met there too.
+// The needle, 8 mm from the line and tilted in the fat, meets the layers there too.
 TEST(Experiment, a_needle_in_a_deformable_body_is_felt_beside_the_line_of_the_motion) {
   const std::string text = R"(<experiment version="1" name="stack" title="a stack">
   <caption><reproduces>a stack</reproduces></caption>
@@ -261,7 +261,7 @@ TEST(Experiment, a_half_ball_has_its_pole_at_the_origin_and_shells_inwards) {
   EXPECT_EQ(at(0, 0, -0.5), tissue::air);
   EXPECT_EQ(at(0, 0, 1), tissue::skin);
   EXPECT_EQ(at(0, 0, 6), tissue::muscle);
-  EXPECT_EQ(at(0, 0, 18), tissue::muscle);  // the last layer fills the middle
+  EXPECT_EQ(at(0, 0, 18), tissue::muscle);  // the last layer fills the centre
   EXPECT_EQ(at(17.5, 0, 19.5), tissue::skin);
   EXPECT_EQ(at(-12.5, 0, 19.5), tissue::muscle);
   EXPECT_EQ(at(15, 15, 4), tissue::air);

@@ -35,7 +35,7 @@ TEST(LayerMesh, fills_each_layer_with_tetrahedra_of_positive_volume_that_share_t
   EXPECT_NEAR(volume[tissue::skin], 800.0, 1e-9);
   EXPECT_NEAR(volume[tissue::fat], 3600.0, 1e-9);
   EXPECT_NEAR(volume[tissue::muscle], 1600.0, 1e-9);
-  double skin_of_the_block = 0.0;  // mm^2, of the faces that one element has
+  double skin_of_the_block = 0.0;  // mm^2, of the faces of only one element
   for (const auto& [face, count] : faces) {
     ASSERT_LE(count, 2);
     const Vec3 a = mesh.nodes[face[0]], b = mesh.nodes[face[1]], c = mesh.nodes[face[2]];

@@ -91,8 +91,8 @@ TEST(NeedleMotion, is_split_where_the_needle_has_been_before) {
               3.0 + 1.0 + 0.3 + 2.5, 1e-6);
 }
 
-// Alamilla 2018, Fig. 5 to 7, on a body with a planned path: the force is 1 N while the needle goes in, fades in a
-// stop within the catch-up time, is 0 on the way back and forward again to the old depth, then 1 N again.
+// Alamilla 2018, Fig. 5 to 7, on a body with a planned path: the force is 1 N during insertion, fades in a stop
+// within the catch-up time, is 0 during withdrawal and re-insertion to the old depth, then 1 N again.
 TEST(NeedleMotion, a_tracking_wall_stops_half_way_retreats_and_goes_on) {
   ProfileOptions options;
   options.motion = parse_motion("20 at 10, hold 2, 8 at 20, target at 10, 25", "--motion");
@@ -102,7 +102,7 @@ TEST(NeedleMotion, a_tracking_wall_stops_half_way_retreats_and_goes_on) {
   };
   EXPECT_NEAR(force_at(2.5), 1.0, 1e-9);        // 15 mm deep
   EXPECT_NEAR(force_at(3.0 + 1.0), 0.0, 1e-3);  // 1 s into the stop at 3 s
-  EXPECT_NEAR(force_at(5.3), 0.0, 1e-9);        // on the way back, which ends at 5.6 s
+  EXPECT_NEAR(force_at(5.3), 0.0, 1e-9);        // during the withdrawal, which ends at 5.6 s
   EXPECT_NEAR(force_at(6.5), 0.0, 1e-9);        // 17 mm deep, in the channel
   EXPECT_NEAR(force_at(7.5), 1.0, 1e-3);        // 27 mm deep
   EXPECT_EQ(profile.outcome, "the motion was deepest at 30.0 mm");

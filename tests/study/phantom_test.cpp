@@ -1,4 +1,4 @@
-// Bodies of experiments as cases that any device can feel.
+// Bodies of experiments as cases for any device.
 #include "study/phantom.h"
 
 #include <cmath>
@@ -29,7 +29,7 @@ class Phantom : public testing::Test {
   fs::path folder_;
 };
 
-// A half ball of 30 mm whose three shells of 10 mm resist with 1, 3 and 2 N once their springs of 1 N/mm are taut.
+// A hemisphere of 30 mm whose three shells of 10 mm resist with 1, 3 and 2 N once their springs of 1 N/mm are taut.
 io::Experiment half_ball(const std::string& motion) {
   return io::parse_experiment(R"(<?xml version="1.0" encoding="UTF-8"?>
 <experiment version="1" name="half_ball" title="Half ball">
@@ -63,12 +63,12 @@ TEST_F(Phantom, a_half_ball_becomes_a_sound_case_with_the_force_of_each_layer) {
   EXPECT_THAT(io::check_case(made), testing::IsEmpty());
   const anatomy::Case patient = io::load_case(made);
   const anatomy::NeedlePath& path = *patient.description.procedure.path;
-  // Depth runs forwards in a patient who lies prone.
+  // In a prone patient, depth increases towards the front.
   EXPECT_LT((path.direction() + Vec3::UnitY()).norm(), 1e-12);
   EXPECT_NEAR(path.length(), 28.0, 0.5);
   EXPECT_GT(patient.description.needle.length, 28.0);
   const Profile profile = insert_at_constant_speed(patient, {});
-  // Half a voxel before each border and behind each wall's ramp the force is that of the layer.
+  // Behind each wall's ramp and up to half a voxel before the next border the force is that of the layer.
   for (const simulation::TickRecord& tick : profile.ticks) {
     const double depth = tick.output.depth;
     if (depth > 2.0 && depth < 9.0) {
@@ -90,7 +90,7 @@ TEST_F(Phantom, every_voxel_is_where_the_experiment_has_it) {
   for (const double x : {-11.0, 0.0, 7.0}) {
     for (const double z : {-20.0, 3.0}) {
       for (double depth = 0.3; depth < 29.5; depth += 1.0) {
-        const double inside = 30.0 - Vec3(x, depth - 30.0, z).norm();  // of the shells, from outside
+        const double inside = 30.0 - Vec3(x, depth - 30.0, z).norm();  // depth in the shells, from outside
         if (std::abs(inside) < 0.6 || std::abs(inside - 10.0) < 0.6 || std::abs(inside - 20.0) < 0.6) continue;
         const anatomy::TissueId id =
             anatomy::nearest<anatomy::TissueId>(patient.tissues, Vec3(x, -depth, z), anatomy::tissue::air);

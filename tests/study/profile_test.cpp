@@ -39,7 +39,7 @@ ProfileOptions along(const Vec3& entry, const Vec3& target) {
   return options;
 }
 
-// Resistance at the first tick that is at least so deep.
+// Resistance at the first tick at this depth or deeper.
 double resistance_at(const Profile& profile, double depth) {
   for (const TickRecord& record : profile.ticks) {
     if (record.output.in_contact && record.output.depth >= depth - 1e-9) return record.output.resistance;
@@ -163,7 +163,7 @@ TEST(Profile, a_crop_without_skin_starts_at_the_entry_and_says_so) {
 }
 
 TEST(Profile, a_path_that_misses_the_body_says_by_how_much) {
-  // Parallel to the skin, 12 mm behind it; the nearest voxels have their centres 0.25 mm below the skin.
+  // Parallel to the skin, 12 mm outside it; the nearest voxel centres lie 0.25 mm below the skin.
   const std::string sentence = sentence_of(slab_case(lumbar_slabs()), along(Vec3(-10, 12, 0), Vec3(10, 12, 0)));
   EXPECT_NE(sentence.find("misses the body by 12.2 mm"), std::string::npos) << sentence;
 }

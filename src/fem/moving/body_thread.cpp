@@ -10,7 +10,7 @@ namespace {
 
 constexpr double default_step_time = 1.0 / 60.0;  // s, of a static body (dt = 0)
 constexpr std::chrono::milliseconds time_poll{1};
-constexpr std::size_t kept_steps = 4096;  // a minute for whoever records them
+constexpr std::size_t kept_steps = 4096;  // a minute's worth, for the recorder of steps
 
 BodySnapshot empty_snapshot(std::size_t nodes, std::size_t most_held) {
   BodySnapshot snapshot;

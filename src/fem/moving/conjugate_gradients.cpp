@@ -8,9 +8,9 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double rounding = 1e-12;  // squared: of the right side, what is not worth solving for
+constexpr double rounding = 1e-12;  // squared: part of the right side not worth solving for
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double nothing = 1e-40;  // N mm; below, single precision would end
+constexpr double nothing = 1e-40;  // N mm; below it single precision would stagnate
 
 double inner_product(const SingleVectors& a, const SingleVectors& b) noexcept {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();

@@ -14,14 +14,14 @@ namespace bodkin::fem {
 namespace {
 
 constexpr int most_halvings = 8;
-constexpr double farthest_step = 1e4;          // mm; beyond, the numbers have failed
+constexpr double farthest_step = 1e4;          // mm; beyond, the computation has failed
 constexpr double tonnes_per_cubic_mm = 1e-12;  // of 1 kg/m^3
 
 const BodyDescription& checked_moving_body(const BodyDescription& body) {
   check_body(body);
   if (const auto tissue = tissue_with_fibres(body.mesh, body.materials)) {
     throw InputError(
-        fmt::format("tissue {} has fibres, which a body that moves by itself does not know; leave the fibres out of "
+        fmt::format("tissue {} has fibres, which a moving body does not support; leave the fibres out of "
                     "its entry in tissues.xml, or let the body lie still (without --body moving)",
                     *tissue));
   }
@@ -90,7 +90,7 @@ void CorotationalBody::reset() noexcept {
   loads_.setZero();
   elements_.reset();
   energy_ = evaluate();
-  told_ = {};
+  reported_ = {};
 }
 
 // Forces and energy at places_.
@@ -129,12 +129,12 @@ double CorotationalBody::kinetic_energy() const noexcept {
   return sum;
 }
 
-// b / dt, by which damping adds to the stiffness.
+// b / dt, the damping's contribution to the stiffness.
 double CorotationalBody::damping_share() const noexcept {
   return settings_.dt > 0.0 ? settings_.stiffness_damping / settings_.dt : 0.0;
 }
 
-// sum += `share` of the matrix's diagonal, less what masses and their damping do against `moved`.
+// sum += `share` of the matrix's diagonal, minus the forces of masses and their damping against `moved`.
 void CorotationalBody::add_diagonals(const NodeVectors& moved, double share, NodeVectors& sum) const noexcept {
   for (Eigen::Index node = 0; node < moved.cols(); ++node) {
     const auto i = static_cast<std::size_t>(node);
@@ -144,7 +144,7 @@ void CorotationalBody::add_diagonals(const NodeVectors& moved, double share, Nod
 }
 
 void CorotationalBody::begin_step() noexcept {
-  told_ = {};
+  reported_ = {};
   begin_ = places_;
   begin_forces_ = forces_;
   begin_energy_ = energy_;
@@ -162,8 +162,7 @@ void CorotationalBody::begin_step() noexcept {
   residual_ = push_ + begin_forces_ - product_;
 }
 
-// What the step has cost so far of the energy that implicit Euler makes least; not above 0 when nothing is moved by
-// force.
+// Change so far in the energy that implicit Euler minimises; at most 0 if no motion is imposed.
 double CorotationalBody::energy_won() const noexcept {
   double inertia = 0.0, diagonal = 0.0;
   for (Eigen::Index node = 0; node < moved_.cols(); ++node) {
@@ -176,21 +175,21 @@ double CorotationalBody::energy_won() const noexcept {
   return energy_ - begin_energy_ + 0.5 * inertia + 0.5 * share * stiff - push_.cwiseProduct(moved_).sum();
 }
 
-// What is out of balance on the free nodes.
+// The residual force on the free nodes.
 void CorotationalBody::find_residual() noexcept {
   const double share = damping_share() / (1.0 + damping_share());
   residual_ = push_ + forces_ - share * product_;
   add_diagonals(moved_, share, residual_);
   for (Eigen::Index node = 0; node < residual_.cols(); ++node)
     if (held_[static_cast<std::size_t>(node)] != 0) residual_.col(node).setZero();
-  told_.unbalance = largest_column(residual_);
+  reported_.unbalance = largest_column(residual_);
 }
 
-// A Newton step for what is out of balance, halved until it does not cost more than `won` so far.
+// A Newton step for the residual, halved until the energy is at most `won`, the value so far.
 bool CorotationalBody::correct(double& won) noexcept {
   before_ = moved_;
-  told_.iterations += gradients_.solve(matrix_, residual_, settings_.gradients, change_);
-  ++told_.corrections;
+  reported_.iterations += gradients_.solve(matrix_, residual_, settings_.gradients, change_);
+  ++reported_.corrections;
   for (int halving = 0;; ++halving) {
     moved_ = before_ + change_;
     places_ = begin_ + moved_;
@@ -204,7 +203,7 @@ bool CorotationalBody::correct(double& won) noexcept {
       return finite;
     }
     change_ *= 0.5;
-    ++told_.halvings;
+    ++reported_.halvings;
   }
 }
 
@@ -212,13 +211,13 @@ void CorotationalBody::go_back() noexcept {
   places_ = begin_;
   velocities_.setZero();
   energy_ = evaluate();
-  told_.fault = true;
-  told_.largest_move = 0.0;
+  reported_.fault = true;
+  reported_.largest_move = 0.0;
 }
 
 const CorotationalStep& CorotationalBody::step() noexcept {
   begin_step();
-  // By what is held alone, in the linear body: what the first Newton step must not cost more than.
+  // Of the held nodes only, in the linear body: the bound for the energy after the first Newton step.
   double won = 0.5 * moved_.cwiseProduct(product_).sum() - (push_ + begin_forces_).cwiseProduct(moved_).sum();
   change_.setZero();
   if (settings_.dt > 0.0) {  // first guess: constant velocity
@@ -228,14 +227,14 @@ const CorotationalStep& CorotationalBody::step() noexcept {
   do {
     if (!correct(won)) {
       go_back();
-      return told_;
+      return reported_;
     }
     find_residual();
     change_.setZero();
-  } while (told_.corrections < settings_.most_corrections && told_.unbalance > settings_.balance);
+  } while (reported_.corrections < settings_.most_corrections && reported_.unbalance > settings_.balance);
   if (settings_.dt > 0.0) velocities_ = moved_ / settings_.dt;
-  told_.largest_move = largest_column(moved_);
-  return told_;
+  reported_.largest_move = largest_column(moved_);
+  return reported_;
 }
 
 }  // namespace bodkin::fem

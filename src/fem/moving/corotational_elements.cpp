@@ -9,7 +9,7 @@ namespace bodkin::fem {
 
 namespace {
 
-// Lanes whose rotation is too far from the last one for Newton's method.
+// Lanes whose rotation is too far from the previous one for Newton's method.
 [[gnu::noinline]] void settle_rotations(const LaneMatrix& deformation, const LaneMask& settled,
                                         LaneQuaternion& rotation) noexcept {
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -44,10 +44,9 @@ BODKIN_LANES_INLINE void magnitude(Lanes& a) {
   a = a < 0.0 ? -a : a;
 }
 
-// b of TurnedElement over 2 mu. The exact stiffness against turning has the principal values
-// 2 mu + 2 (lambda tr(S - 1) - 2 mu) / (s_i + s_j), s_i + s_j the principal values of Y. None is more than this, with
-// Gershgorin's bound of the largest of them, unless lambda tr(S - 1) is above 2 mu: an element blown up by half or
-// more.
+// b of TurnedElement over 2 mu. The exact stiffness against turning has the principal values 2 mu + 2 (lambda tr(S -
+// 1) - 2 mu) / (s_i + s_j), s_i + s_j the principal values of Y. None exceeds this, by Gershgorin's bound of the
+// largest of them, unless lambda tr(S - 1) is above 2 mu: an element inflated by half or more.
 BODKIN_LANES_INLINE void stiffening(const LaneMatrix& y, const Lanes& lambda, const Lanes& mu, const Lanes& stretch,
                                     Lanes& half) {
   Lanes xy = y.column[0].y, xz = y.column[0].z, yz = y.column[1].z;

@@ -12,7 +12,7 @@ const CorotationalStep& DeformableBodySolver::step(const std::optional<Pose>& pr
     press_.lift(moving_);
   }
   const CorotationalStep& step = moving_.step();
-  press_.let_go_what_is_pulled(moving_);
+  press_.release_pulled_nodes(moving_);
   return step;
 }
 

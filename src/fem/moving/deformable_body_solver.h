@@ -13,11 +13,10 @@ namespace bodkin::fem {
 struct BodySolverSettings {
   CorotationalSettings motion;
   ProbeFace probe;
-  std::vector<anatomy::NeedlePath> left_needles;  // in the body, from entry to tip, at rest
+  std::vector<anatomy::NeedlePath> left_needles;  // left in the body, from entry to tip, at rest
 };
 
-// A deformable body and the probe that presses it, one step at a time and without a thread (BodyThread runs it on
-// one).
+// A deformable body and the probe that presses it, one step at a time and without a thread (BodyThread adds one).
 class DeformableBodySolver {
  public:
   // Checks the arguments; throws InputError. Allocates the memory of all steps.
@@ -34,9 +33,9 @@ class DeformableBodySolver {
   ProbePress press_;
 };
 
-// The motion of a body at rest, with room for everything that it may come to.
+// The motion of a body at rest, with room for all later motions.
 BodyField field_at_rest(const DeformableBodySolver& solver);
-// After a step: becomes the motion that it led to. `failed`: this step or one before it did, so that the needle meets
-// the body at rest.
+// After a step: sets `field` to the resulting motion. `failed`: this step or an earlier one failed, so that the
+// needle meets the body at rest.
 void read_field(const DeformableBodySolver& solver, bool failed, BodyField& field) noexcept;
 }  // namespace bodkin::fem

@@ -16,7 +16,7 @@ Eigen::Quaterniond nearest_rotation(const Mat3& matrix) noexcept {
       m(0, 2) - m(2, 0), m(0, 1) + m(1, 0), m(1, 1) - m(0, 0) - m(2, 2), m(1, 2) + m(2, 1),  //
       m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), m(2, 2) - m(0, 0) - m(1, 1);
   Eigen::Matrix4d vectors = Eigen::Matrix4d::Identity();
-  constexpr int most_sweeps = 12;  // each squares what is off the diagonal, once it is small
+  constexpr int most_sweeps = 12;  // each squares the off-diagonal part, once it is small
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool changed = false;
     for (Eigen::Index p = 0; p < 3; ++p) {

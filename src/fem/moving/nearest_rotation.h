@@ -10,15 +10,15 @@ namespace bodkin::fem {
 
 // The rotation R that is nearest to a matrix F, |F - R| least: the rotational part of a deformation, F = R S with S
 // symmetric. It is that of the polar decomposition, but never a reflection: for an inverted element (det F < 0) the
-// smallest principal stretch in S is negative, so that the element is driven back through its flattest side. Of
-// matrices for which several rotations are nearest (of rank 1, or turned inside out evenly) it is one of them.
+// smallest principal stretch in S is negative, so that the element is driven back through its flattest side. If
+// several rotations are nearest (F of rank 1, or evenly inverted) it is one of them.
 //
-// By the quaternion that is the eigenvector to the largest eigenvalue of a symmetric 4 x 4 matrix (Horn, J. Opt. Soc.
-// Am. A 4, 629, 1987), which Jacobi's rotations find whatever F is. Exact, and slow: some microseconds. Not finite F
-// gives the identity.
+// Computed as the quaternion that is the eigenvector to the largest eigenvalue of a symmetric 4 x 4 matrix (Horn, J.
+// Opt. Soc. Am. A 4, 629, 1987), by Jacobi rotations, which find it for any F. Exact, and slow: some microseconds. An
+// F that is not finite gives the identity.
 Eigen::Quaterniond nearest_rotation(const Mat3& matrix) noexcept;
 
-// Quaternions, one a lane; they need not be of length 1.
+// Quaternions, one per lane, not necessarily of length 1.
 struct LaneQuaternion {
   Lanes w, x, y, z;
 };
@@ -33,15 +33,15 @@ BODKIN_LANES_INLINE void rotation_of(const LaneQuaternion& q, LaneMatrix& rotati
                         1.0 - two * (q.x * q.x + q.y * q.y)};
 }
 
-// The same for four matrices, from rotations that are near already (those of the step before), by Newton's method on
-// tr(R^T F): with A = R^T F and Y = tr(A) 1 - sym(A), R turns by Y^-1 axial(A - A^T). Where Y is positive definite
-// and the turn vanishes, R is the nearest rotation; the error of a turn goes with its third power, so that two
-// suffice from step to step. `settled`: all bits where that was reached; elsewhere nearest_rotation() is to be asked.
+// As above for four matrices, from rotations that are near already (those of the previous step), by Newton's method
+// on tr(R^T F): with A = R^T F and Y = tr(A) 1 - sym(A), R turns by Y^-1 axial(A - A^T). Where Y is positive definite
+// and the turn vanishes, R is the nearest rotation; the error falls with the third power of the turn, so two turns
+// suffice from step to step. `settled`: all bits of a lane that converged; for the others call nearest_rotation().
 BODKIN_LANES_INLINE void turn_to_nearest(const LaneMatrix& matrix, LaneQuaternion& q, LaneMatrix& rotation,
                                          LaneMask& settled) {
   constexpr int most_turns = 6;
   constexpr double small_turn = 1e-10;  // squared, radians
-  constexpr double least_minor = 1e-9;  // of Y, by its trace: below, it is no Newton step
+  constexpr double least_minor = 1e-9;  // of Y, by its trace: not a Newton step below it
   rotation_of(q, rotation);
   settled = LaneMask{};
   for (int turn = 0; turn < most_turns; ++turn) {
@@ -71,7 +71,7 @@ BODKIN_LANES_INLINE void turn_to_nearest(const LaneMatrix& matrix, LaneQuaternio
     w.x = definite ? half * w.x : Lanes{};
     w.y = definite ? half * w.y : Lanes{};
     w.z = definite ? half * w.z : Lanes{};
-    // q := q (1, w / 2), and towards length 1.
+    // q := q (1, w / 2), then normalised approximately.
     LaneQuaternion next{q.w - q.x * w.x - q.y * w.y - q.z * w.z, q.x + q.w * w.x + q.y * w.z - q.z * w.y,
                         q.y + q.w * w.y + q.z * w.x - q.x * w.z, q.z + q.w * w.z + q.x * w.y - q.y * w.x};
     const Lanes shorten = 2.0 / (1.0 + next.w * next.w + next.x * next.x + next.y * next.y + next.z * next.z);

@@ -13,8 +13,8 @@ BODKIN_LANES_INLINE void widen(const std::array<float, 4>& column, Lanes& wide) 
   wide = __builtin_convertvector(*reinterpret_cast<const FloatLanes*>(column.data()), Lanes);
 }
 
-// The order in which sweeps go through the nodes: that of the mesh, but for nodes whose neighbours have just been, so
-// that the processor need not wait for these.
+// The order of the nodes in sweeps: that of the mesh, except that nodes whose neighbours were just processed come
+// later, so that the processor need not wait for these.
 std::vector<std::uint32_t> sweep_order(const std::vector<std::vector<std::uint32_t>>& neighbours) {
   constexpr std::size_t window = 64, apart = 4;
   const auto count = static_cast<std::uint32_t>(neighbours.size());
@@ -182,7 +182,7 @@ void NodeMatrix::invert_diagonal(std::span<const std::uint8_t> held) noexcept {
   }
 }
 
-// The blocks `first` to `last` times x, summed.
+// Sum of the blocks `first` to `last` times x.
 BODKIN_LANES_INLINE void add_blocks(const std::uint32_t* column, const NodeMatrix::Block* blocks, std::uint32_t first,
                                     std::uint32_t last, const float* x, FloatLanes& sum) {
   FloatLanes a = {}, b = {}, c = {};

@@ -13,27 +13,27 @@ namespace bodkin::fem {
 // As NodeVectors, in single precision.
 using SingleVectors = Eigen::Matrix4Xf;
 
-// A symmetric matrix with a 3 x 3 block for every pair of nodes that share an element of a mesh, both triangles kept,
-// in single precision; vectors are in double precision. Filled anew at every step of a moving body, so that what goes
-// where is found once.
+// A symmetric matrix with a 3 x 3 block for every pair of nodes that share an element of a mesh, with both triangles
+// stored, in single precision; vectors are in double precision. Refilled at every step of a moving body; the
+// positions of its blocks are determined once.
 class NodeMatrix {
  public:
   explicit NodeMatrix(const anatomy::TetrahedralMesh& mesh);
 
-  // factor K + diagonal: K from the elements, one number a node in `diagonal` (N/mm), for all three of its
-  // directions. What a block of the diagonal of K is follows from the others of its row: a translation costs nothing.
+  // factor K + diagonal: K from the elements, one number per node in `diagonal` (N/mm), for all three of its
+  // directions. The diagonal blocks of K follow from the others of their rows: a translation stores no energy.
   void assemble(const std::vector<TurnedElement>& elements, double factor, std::span<const double> diagonal) noexcept;
 
   // product = matrix vector
   void multiply(const NodeVectors& vector, NodeVectors& product) const noexcept;
 
-  // Before the two below: the inverse of the own block of every node whose `held` is zero. A block that is not
-  // positive definite, of a node that nothing resists, counts as held.
+  // To be called before the two functions below: inverts the diagonal block of every node whose `held` is zero. A
+  // node whose block is not positive definite, because nothing resists it, counts as held.
   void invert_diagonal(std::span<const std::uint8_t> held) noexcept;
-  // Among the nodes that are free, D the blocks of the diagonal and L those below it in an order of the matrix's own:
+  // For the free nodes, with D the diagonal blocks and L those below it in the matrix's own order:
   //   solve_lower   (D + L) x = right,     scaled = D x
   //   solve_upper   (D + L)^T x = right,   above = L^T x
-  // What is held is neither read, provided that it is zero in x, nor written.
+  // Held entries are not read, provided that they are zero in x, and not written.
   void solve_lower(const SingleVectors& right, SingleVectors& x, SingleVectors& scaled) const noexcept;
   void solve_upper(const SingleVectors& right, SingleVectors& x, SingleVectors& above) const noexcept;
 
@@ -46,7 +46,7 @@ class NodeMatrix {
   };
 
  private:
-  // An edge of the mesh: where its block and the transposed one are, and which elements have it.
+  // An edge of the mesh: the positions of its block and of the transposed one, and the elements that contain it.
   struct Edge {
     std::uint32_t upper, lower;
     std::uint32_t first_share;
@@ -71,7 +71,7 @@ class NodeMatrix {
     return {above_[from_last], above_[from_last + 1]};
   }
 
-  // The blocks as sweeps go through them: those below the diagonal, row by row; the diagonal; those above it, from
+  // The blocks in the order of the sweeps: those below the diagonal, row by row; the diagonal; those above it, from
   // the last row to the first.
   std::vector<std::uint32_t> order_;   // of the nodes in a sweep
   std::vector<std::uint32_t> below_;   // nodes + 1, of each row in blocks_
@@ -80,8 +80,8 @@ class NodeMatrix {
   std::vector<Block> blocks_;
   std::vector<Block> inverse_;       // of the diagonal
   std::vector<std::uint32_t> free_;  // places in order_ of the nodes that are free
-  std::size_t free_count_ = 0;       // as many as these
-  std::vector<Edge> edges_;          // one more than there are, so that each ends where the next begins
+  std::size_t free_count_ = 0;       // their number
+  std::vector<Edge> edges_;          // one more than exist, so that each ends where the next begins
   std::vector<Share> shares_;
 };
 

@@ -13,10 +13,10 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double farthest_probe = 1e5;  // mm; beyond, a sensor failed
+constexpr double farthest_probe = 1e5;  // mm; farther, a sensor failed
 constexpr double least_pull = 1e-6;     // N; less is rounding
 
-// Nodes of the faces that belong to one element alone.
+// Nodes of the faces that belong to only one element.
 std::vector<bool> on_surface(const anatomy::TetrahedralMesh& mesh) {
   std::vector<std::array<std::uint32_t, 3>> faces;
   faces.reserve(4 * mesh.elements.size());
@@ -62,7 +62,7 @@ ProbePress::ProbePress(const anatomy::TetrahedralMesh& mesh, std::span<const std
   for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node)
     if (free[node]) surface_.push_back(node);
   held_at_.assign(surface_.size(), Vec3::Zero());
-  taken_.assign(surface_.size(), 0);
+  is_held_.assign(surface_.size(), 0);
 }
 
 // mm along the third axis; 0 in the middle, below it at the ends of a convex array.
@@ -83,13 +83,13 @@ void ProbePress::press(const Pose& probe, CorotationalBody& body) noexcept {
   }
   probe_ = probe;
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    if (taken_[i] == 0) {
+    if (is_held_[i] == 0) {
       const Vec3 at = probe.linear().transpose() * (body.position(surface_[i]) - probe.translation());
       if (!(std::abs(at.x()) <= 0.5 * face_.width && std::abs(at.y()) <= 0.5 * face_.thickness)) continue;
       const double face = height_of_face(at.x());
       if (at.z() >= face || at.z() < face - face_.reach) continue;
       held_at_[i] = Vec3(at.x(), at.y(), face);
-      taken_[i] = 1;
+      is_held_[i] = 1;
       ++held_;
     }
     body.hold(surface_[i], probe * held_at_[i]);
@@ -98,20 +98,20 @@ void ProbePress::press(const Pose& probe, CorotationalBody& body) noexcept {
 
 void ProbePress::lift(CorotationalBody& body) noexcept {
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    if (taken_[i] == 0) continue;
+    if (is_held_[i] == 0) continue;
     body.release(surface_[i]);
-    taken_[i] = 0;
+    is_held_[i] = 0;
   }
   held_ = 0;
 }
 
-void ProbePress::let_go_what_is_pulled(CorotationalBody& body) noexcept {
+void ProbePress::release_pulled_nodes(CorotationalBody& body) noexcept {
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    if (taken_[i] == 0) continue;
+    if (is_held_[i] == 0) continue;
     const Vec3 push = body.holding_force(surface_[i]);
     if (push.dot(probe_.linear() * outward(held_at_[i].x())) >= -least_pull) continue;
     body.release(surface_[i]);
-    taken_[i] = 0;
+    is_held_[i] = 0;
     --held_;
   }
 }
@@ -119,13 +119,13 @@ void ProbePress::let_go_what_is_pulled(CorotationalBody& body) noexcept {
 void ProbePress::held_nodes(std::span<std::uint32_t> nodes) const noexcept {
   std::size_t count = 0;
   for (std::size_t i = 0; i < surface_.size(); ++i)
-    if (taken_[i] != 0) nodes[count++] = surface_[i];
+    if (is_held_[i] != 0) nodes[count++] = surface_[i];
 }
 
 bool ProbePress::holds(std::span<const std::uint32_t> nodes) const noexcept {
   std::size_t count = 0;
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    if (taken_[i] == 0) continue;
+    if (is_held_[i] == 0) continue;
     if (count == nodes.size() || nodes[count] != surface_[i]) return false;
     ++count;
   }
@@ -135,7 +135,7 @@ bool ProbePress::holds(std::span<const std::uint32_t> nodes) const noexcept {
 Wrench ProbePress::on_probe(const CorotationalBody& body) const noexcept {
   Wrench sum;
   for (std::size_t i = 0; i < surface_.size(); ++i) {
-    if (taken_[i] == 0) continue;
+    if (is_held_[i] == 0) continue;
     const Vec3 force = -body.holding_force(surface_[i]);
     sum.force += force;
     sum.torque += (body.position(surface_[i]) - probe_.translation()).cross(force);
@@ -147,7 +147,7 @@ Wrench ProbePress::from_middle(const Wrench& wrench, const CorotationalBody& bod
   if (held_ == 0) return {};
   Vec3 middle = Vec3::Zero();
   for (std::size_t i = 0; i < surface_.size(); ++i)
-    if (taken_[i] != 0) middle += body.position(surface_[i]) / static_cast<double>(held_);
+    if (is_held_[i] != 0) middle += body.position(surface_[i]) / static_cast<double>(held_);
   return {wrench.force, wrench.torque + (middle - probe_.translation()).cross(wrench.force)};
 }
 

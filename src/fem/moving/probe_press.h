@@ -16,36 +16,37 @@ struct ProbeFace {
   double width = 40.0;      // mm, along the array; 1 to 200, and at most 1.9 times the radius
   double thickness = 12.0;  // mm, across it; 1 to 100
   double radius = 0.0;      // mm, 0: flat; else 5 to 500
-  // mm; a node that is further behind the face than this is not pressed: it is on the other side of the body, or the
-  // probe was moved there at once. 1 to 100.
+  // mm; a node further behind the face than this is not pressed: it is on the other side of the body, or the probe
+  // jumped there. 1 to 100.
   double reach = 20.0;
 };
 
-// Which nodes of a body's surface a probe presses on. A node that the face meets is taken along with it, where it was
-// met, as on dry skin; gel, on which skin slides, is not modelled. The face pushes and cannot pull: what would be
-// pulled is let go, and may be met again. Only nodes are met: a mesh that is coarser than the face is pressed by few
-// nodes or none. Memory is taken at construction; nothing else throws or allocates.
+// Selects the nodes of a body's surface that a probe presses. A node that the face meets sticks to it where it was
+// met, as on dry skin; gel, on which skin slides, is not modelled. The face pushes and cannot pull: a node under
+// tension is released, and may be met again. Only nodes are met: a mesh coarser than the face is pressed at few nodes
+// or none. Memory is allocated by the constructor; no other function throws or allocates.
 class ProbePress {
  public:
-  // `mesh` and `fixed` as of the body that will be pressed. Throws InputError for a face out of range.
+  // `mesh` and `fixed` as of the body to be pressed. Throws InputError for a face out of range.
   ProbePress(const anatomy::TetrahedralMesh& mesh, std::span<const std::uint32_t> fixed, const ProbeFace& face);
 
-  // Before a step of the body: takes what the face meets and moves what it has. A pose that is not finite, or not
-  // that of a rigid body, is as none.
+  // Before a step of the body: captures the nodes that the face meets and moves those it holds. A pose that is not
+  // finite or not rigid counts as none.
   void press(const Pose& probe, CorotationalBody& body) noexcept;
-  // Without a probe: lets everything go.
+  // Without a probe: releases all nodes.
   void lift(CorotationalBody& body) noexcept;
-  // After a step: lets go what the probe would have to pull.
-  void let_go_what_is_pulled(CorotationalBody& body) noexcept;
+  // After a step: releases the nodes that the probe would have to pull.
+  void release_pulled_nodes(CorotationalBody& body) noexcept;
 
-  // How many nodes are held, and by what force on the probe, N, and torque about its origin, N mm, after a step.
+  // The number of nodes held, and the force on the probe, N, and its torque about the probe's origin, N mm, after a
+  // step.
   std::size_t held() const noexcept { return held_; }
   Wrench on_probe(const CorotationalBody& body) const noexcept;
-  // The same of a wrench about the middle of the nodes held, where they are now; zero where none is.
+  // As above, for a wrench about the present middle of the held nodes; zero if there are none.
   Wrench from_middle(const Wrench& wrench, const CorotationalBody& body) const noexcept;
-  // The nodes held, ascending, of which the first held() are written; `nodes` has room for surface().
+  // The held nodes, ascending; only the first held() are written; `nodes` has room for surface().
   void held_nodes(std::span<std::uint32_t> nodes) const noexcept;
-  // Whether exactly these are held.
+  // Whether exactly these nodes are held.
   bool holds(std::span<const std::uint32_t> nodes) const noexcept;
   // Nodes of the mesh's surface that are not fixed, ascending.
   std::span<const std::uint32_t> surface() const noexcept { return surface_; }
@@ -56,8 +57,8 @@ class ProbePress {
 
   ProbeFace face_;
   std::vector<std::uint32_t> surface_;
-  std::vector<Vec3> held_at_;        // by place in surface_, in the frame of the probe
-  std::vector<std::uint8_t> taken_;  // by place in surface_: held by the probe
+  std::vector<Vec3> held_at_;          // by place in surface_, in the frame of the probe
+  std::vector<std::uint8_t> is_held_;  // by place in surface_: held by the probe
   std::size_t held_ = 0;
   Pose probe_ = Pose::Identity();
 };

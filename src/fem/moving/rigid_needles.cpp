@@ -12,7 +12,7 @@ RigidNeedles::RigidNeedles(const anatomy::TetrahedralMesh& mesh, const ElasticMa
     Needle needle{points_.size(), points_.size(), 0.0};
     double moment = 0.0;
     for (const LeftPoint& found : left_points(mesh, finder, materials, path)) {
-      // Without fibres the gain is the same in all directions.
+      // Without fibres the gain is isotropic.
       const double stiffness = 1.0 / found.gain(0, 0);
       points_.push_back({found.in_mesh.nodes, found.in_mesh.weights, found.depth, stiffness});
       needle.stiffness += stiffness;
@@ -32,7 +32,7 @@ Vec3 RigidNeedles::place_of(const Point& point, const NodeVectors& places) noexc
   return place;
 }
 
-// With s_i less its weighted mean, c is the weighted mean of the x_i, and a along the weighted sum of s_i x_i.
+// With s_i minus its weighted mean, c is the weighted mean of the x_i, and a along the weighted sum of s_i x_i.
 double RigidNeedles::add_forces(const NodeVectors& places, NodeVectors& forces) const noexcept {
   double energy = 0.0;
   for (const Needle& needle : needles_) {
@@ -43,7 +43,7 @@ double RigidNeedles::add_forces(const NodeVectors& places, NodeVectors& forces) 
       sum += points_[i].stiffness * points_[i].along * place;
     }
     const double length = sum.norm();
-    const Vec3 axis = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());  // of a single point there is none
+    const Vec3 axis = length > 0.0 ? Vec3(sum / length) : Vec3(Vec3::Zero());  // a single point has none
     for (std::size_t i = needle.first; i < needle.last; ++i) {
       const Point& point = points_[i];
       const Vec3 apart = place_of(point, places) - middle - point.along * axis;

@@ -4,8 +4,8 @@
 
 namespace bodkin::fem {
 
-// Bytes of memory that this program can still get: what the machine has left (Linux: MemAvailable), or what the
-// container that it runs in (cgroup, version 2) has left, if that is less. The largest number where neither is said.
+// Bytes of memory still available to this program: those free on the machine (Linux: MemAvailable), or in its
+// container (cgroup, version 2), if that is less. The largest number when neither is known.
 std::size_t available_memory();
 
 }  // namespace bodkin::fem

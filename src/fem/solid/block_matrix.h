@@ -14,7 +14,7 @@ struct BlockMatrix {
   std::uint32_t nodes = 0;
   std::vector<std::size_t> start;  // nodes + 1
   std::vector<std::uint32_t> row;  // of each block; ascending within a column, the first is the column itself
-  std::vector<Mat3> block;         // of each block; those of the diagonal are whole and symmetric
+  std::vector<Mat3> block;         // of each block; diagonal blocks are complete and symmetric
 };
 
 }  // namespace bodkin::fem

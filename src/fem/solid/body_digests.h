@@ -8,8 +8,8 @@
 
 namespace bodkin::fem {
 
-// Fingerprints (XXH3, 64 bits) of what a body was computed to, the same on every machine: of the Cholesky factor, and
-// of the nodes or contact points, their tissues and the compliance between them, of the first two alone, and of the
+// Digests (XXH3, 64 bits) of the results computed for a body, equal on every machine: of the Cholesky factor; of the
+// nodes or contact points, their tissues and the compliance between them; of the first two only; and of the
 // displacements of a mesh.
 std::uint64_t digest_of(const PackedFactor& factor) noexcept;
 std::uint64_t digest_of(const anatomy::CondensedBody& body) noexcept;

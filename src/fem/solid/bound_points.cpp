@@ -14,9 +14,9 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double least_motion = 1e-8;  // of a motion's size, that must be left of it beside the others
+constexpr double least_motion = 1e-8;  // of a motion's size that must remain beside the others
 
-// One chain in the order of the rows.
+// A chain in the order of the rows.
 double product_of(const double* a, const double* b, std::size_t rows) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < rows; ++i) sum += a[i] * b[i];
@@ -61,7 +61,7 @@ BoundPoints::BoundPoints(std::vector<Group> groups) {
   if (cholesky(dense_tiles().front(), rows, lower_.data(), rows) < rows)
     throw InputError("a node of the body is held twice; name each node once");
 
-  // Of each needle three motions along the axes and three about its first point, as far as they differ: turning it
+  // For each needle three motions along the axes and three about its first point, as far as they differ: rotation
   // about its own axis moves none of its points.
   motions_ = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(6 * free.size()));
   std::size_t found = 0;
@@ -148,8 +148,8 @@ Eigen::MatrixXd BoundPoints::forces_against(Eigen::MatrixXd moved) const {
   return -moved;
 }
 
-HeldShare BoundPoints::on_held(const Eigen::MatrixXd& shares, std::size_t point) const {
-  HeldShare share;
+HeldFraction BoundPoints::on_held(const Eigen::MatrixXd& shares, std::size_t point) const {
+  HeldFraction share;
   if (holder_.cols() == 0) return share;
   const std::size_t rows = 3 * places_.size();
   for (std::size_t axis = 0; axis < 3; ++axis) {

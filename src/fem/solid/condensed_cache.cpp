@@ -28,7 +28,7 @@ constexpr std::uint32_t file_version = 3;  // of the file and of the computation
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr std::uint64_t most_nodes = 1U << 20U;
 
-// The first bytes of the file. After them: the nodes, 3 numbers each; their names in the mesh; their tissues; the
+// The first bytes of the file, followed by the nodes, 3 numbers each; their names in the mesh; their tissues; the
 // lower triangle of the compliance, column by column.
 struct CacheHeader {
   std::array<char, 8> magic = file_magic;
@@ -36,7 +36,7 @@ struct CacheHeader {
   std::uint32_t order = byte_order;
   std::uint64_t digest_high = 0, digest_low = 0;
   std::uint64_t nodes = 0;
-  std::uint64_t checksum = 0;  // XXH3 of this header, with a checksum of 0, and of all that follows
+  std::uint64_t checksum = 0;  // XXH3 of this header, with checksum 0, and of the rest
 };
 static_assert(sizeof(CacheHeader) == 48, "the header must have no padding");
 
@@ -45,7 +45,7 @@ std::uint64_t file_size(std::uint64_t nodes) {
          sizeof(double) * (3 * nodes * (3 * nodes + 1) / 2);
 }
 
-// A hash that grows.
+// An incremental hash.
 class Hash {
  public:
   Hash() : state_(XXH3_createState()) { XXH3_128bits_reset(state_.get()); }
@@ -65,7 +65,7 @@ class Hash {
   std::unique_ptr<XXH3_state_t, Freed> state_;
 };
 
-// A file that is read and hashed from its beginning to its end.
+// A file that is read and hashed from beginning to end.
 class HashedFile {
  public:
   explicit HashedFile(const fs::path& file) : name_(file.string()), stream_(file, std::ios::binary) {
@@ -101,8 +101,8 @@ void check_header(const std::string& name, std::uint64_t size, const CacheHeader
                     name));
   }
   if (header.nodes > most_nodes || size != file_size(header.nodes)) {
-    throw InputError(
-        fmt::format("{} is damaged: it has {} bytes, which cannot be; remove it, it is only a cache", name, size));
+    throw InputError(fmt::format("{} is damaged: it has {} bytes, which is impossible; remove it, it is only a cache",
+                                 name, size));
   }
 }
 
@@ -200,14 +200,14 @@ anatomy::CondensedBody condensed_with_cache(const fs::path& file, const BodyDesc
     try {
       return load_condensed(file, digest);
     } catch (const InputError& error) {
-      if (note) note(std::string("the body is prepared anew, since ") + error.what());
+      if (note) note(std::string("the body is prepared again, because ") + error.what());
     }
   }
   anatomy::CondensedBody condensed = condense(body, options, progress, note);
   try {
     save_condensed(file, condensed, digest);
   } catch (const SystemError& error) {
-    if (note) note(std::string("the prepared body is not kept for the next time, since ") + error.what());
+    if (note) note(std::string("the prepared body is not kept for the next time, because ") + error.what());
   }
   return condensed;
 }

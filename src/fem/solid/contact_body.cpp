@@ -54,13 +54,13 @@ ContactBody::ContactBody(std::shared_ptr<const BodyDescription> body, const Fact
   BodyPlan plan = plan_body(whole, progress, edges_);
   free_nodes_ = plan.system.free_nodes;
   const auto packed = std::make_shared<PackedFactor>(plan.symbolic);
-  // Each panel goes straight to where it is kept: the factor is in memory once.
+  // Each panel is written directly to its final place: the factor is in memory only once.
   FactorOptions once = options;
   once.keep_field = false;
   once.finished = [&packed](std::size_t supernode, const double* panel, ThreadPool& pool) {
     packed->take(supernode, panel, pool);
   };
-  once.taken_elsewhere = packed->bytes();
+  once.used_elsewhere = packed->bytes();
   const ElasticBody elastic(whole, std::move(plan), once, progress);
   factor_ = packed;
 }
@@ -123,14 +123,14 @@ BoundPoints ContactBody::bind(std::span<const anatomy::NeedlePath> left, std::sp
   return BoundPoints(std::move(groups));
 }
 
-anatomy::CondensedBody ContactBody::contact_points(std::span<const NeedleStation> stations, const Vec3& direction,
+anatomy::CondensedBody ContactBody::contact_points(std::span<const ContactSite> sites, const Vec3& direction,
                                                    double tip_radius, int threads, const BoundPoints& bound) const {
   LinePoints points(*this, tip_radius, bound, threads);
-  points.add(stations, direction);
+  points.add(sites, direction);
   if (points.size() == 0) {
     throw InputError(
         "the needle's path meets no part of the mesh; lead it through the meshed part of the patient, or mesh the "
-        "patient anew about this path");
+        "patient again around this path");
   }
   points.compute(0, points.size());
   anatomy::CondensedBody body;

@@ -16,9 +16,9 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double least_ahead = 10.0;  // mm, that a needle which has turned may always go on
+constexpr double least_ahead = 10.0;  // mm that a turned needle may always advance
 constexpr std::string_view no_points =
-    "contact points of the needle's line could not be computed, so that it goes on in those that are there";
+    "contact points of the needle's line could not be computed, so that it continues with those that are there";
 constexpr std::string_view no_coupling =
     "the needle's contact points could not be coupled with the nodes that the probe holds now, and stay as they were";
 constexpr std::string_view no_memory =
@@ -61,7 +61,7 @@ void ContactStream::serve() {
   }
 }
 
-// False when it failed: the tick's thread hears nothing of it, and the person what `failed` says, and why.
+// False when it failed: the tick's thread is not notified; the person is told the `failed` message and the reason.
 template <typename Work>
 bool ContactStream::attempt(std::string_view failed, const Work& work) noexcept {
   try {
@@ -79,20 +79,20 @@ void ContactStream::add_failure(std::string_view sentence, std::string_view why)
   try {
     std::string text = fmt::format("{}: {}", sentence, why);
     const std::scoped_lock guard(lock_);
-    if (std::find(told_.begin(), told_.end(), text) != told_.end()) return;
-    told_.push_back(text);
+    if (std::find(reported_.begin(), reported_.end(), text) != reported_.end()) return;
+    reported_.push_back(text);
     failures_.push_back(std::move(text));
   } catch (const std::bad_alloc&) {
     const std::scoped_lock guard(lock_);
-    failed_without_words_ = told_.empty();
+    failed_without_words_ = reported_.empty();
   }
 }
 
 std::vector<std::string> ContactStream::take_failures() {
   const std::scoped_lock guard(lock_);
   if (std::exchange(failed_without_words_, false)) {
-    told_.push_back(fmt::format("{}: {}", no_points, no_memory));
-    failures_.push_back(told_.back());
+    reported_.push_back(fmt::format("{}: {}", no_points, no_memory));
+    failures_.push_back(reported_.back());
   }
   return std::exchange(failures_, {});
 }
@@ -102,7 +102,7 @@ void ContactStream::throw_failure() {
     throw SystemError(failures.front());
 }
 
-// The points that there are, with other nodes held.
+// The existing points, with other nodes held.
 void ContactStream::couple(const ContactLine::Line& line) {
   bool done = points_ && points_->size() >= line.kept;
   const bool succeeded = attempt(no_coupling, [&] {
@@ -118,13 +118,13 @@ void ContactStream::couple(const ContactLine::Line& line) {
   line_->end_coupling(line, done && succeeded);
 }
 
-// Leaves the points that the needle has reached, and finds those ahead.
+// Keeps the points that the needle has reached, and finds those ahead.
 void ContactStream::find_points(const ContactLine::Line& line) {
   if (line.kept > 0) {
     points_->keep_first(line.kept);
     const double left = settings_.length - (line.entry - begin_).norm();
-    points_->add(stations_ahead(line.entry, line.direction, std::max(left, least_ahead), settings_.spacing,
-                                points_->tissue(line.kept - 1), *patient_),
+    points_->add(contact_sites_ahead(line.entry, line.direction, std::max(left, least_ahead), settings_.spacing,
+                                     points_->tissue(line.kept - 1), *patient_),
                  line.direction);
     return;
   }
@@ -137,8 +137,8 @@ void ContactStream::find_points(const ContactLine::Line& line) {
   begin_ = line.entry;
   const anatomy::NeedlePath path{line.entry, line.entry + settings_.length * line.direction};
   points_.emplace(*body_, settings_.tip_radius, *bound_);
-  points_->add(stations_along(line.is_planned ? patient_->prepared.path : path, settings_.length, settings_.spacing,
-                              *patient_),
+  points_->add(contact_sites_along(line.is_planned ? patient_->prepared.path : path, settings_.length,
+                                   settings_.spacing, *patient_),
                line.direction);
 }
 

@@ -16,20 +16,20 @@
 
 namespace bodkin::fem {
 
-// What the points of a needle's line are like; see EmbeddedNeedleSettings.
+// Properties of the points of a needle's line; see EmbeddedNeedleSettings.
 struct ContactStreamSettings {
-  double length = 100.0;                       // mm, above 0, how deep needles go
+  double length = 100.0;                       // mm, above 0, largest insertion depth
   double spacing = 1.0;                        // mm, above 0
   double tip_radius = 1.0;                     // mm, above 0
-  std::vector<anatomy::NeedlePath> left = {};  // needles that were left in the body, from entry to tip
+  std::vector<anatomy::NeedlePath> left = {};  // left in the body, from entry to tip
 };
 
-// Computes the contact points of every line that is asked for (ContactLine) on a thread of its own: the first one
-// alone, since the needle touches it already, then more and more at once. Those of the planned line are the patient's
-// (Case::prepared). Where it fails, the needle goes on in the points that there are, and take_failures() says why.
+// Computes the contact points of every requested line (ContactLine) on its own thread: the first one on its own,
+// because the needle touches it already, then in growing groups. Those of the planned line come from the patient
+// (Case::prepared). After a failure, the needle continues in the existing points, and take_failures() says why.
 class ContactStream {
  public:
-  // `patient`: its tissues and its library. Starts the thread.
+  // `patient`: for its tissues and tissue library. Starts the thread.
   ContactStream(std::shared_ptr<const ContactBody> body, std::shared_ptr<const anatomy::Case> patient,
                 const ContactStreamSettings& settings, std::shared_ptr<ContactLine> line);
   // Closes the line, and waits for the points that are being computed.
@@ -38,9 +38,9 @@ class ContactStream {
   ContactStream& operator=(const ContactStream&) = delete;
 
   // Any thread but the tick's, which must not wait: what could not be computed and why, one sentence each, and each
-  // of them once however often it happens.
+  // only once however often it occurs.
   std::vector<std::string> take_failures();
-  // For programs that go on only with all points. Throws SystemError with the first of take_failures().
+  // For programs that need all points. Throws SystemError with the first of take_failures().
   void throw_failure();
 
  private:
@@ -56,13 +56,13 @@ class ContactStream {
   std::shared_ptr<const anatomy::Case> patient_;
   ContactStreamSettings settings_;
   std::shared_ptr<ContactLine> line_;
-  std::optional<BoundPoints> bound_;  // by `held_`; of the thread
+  std::optional<BoundPoints> bound_;  // for `held_`; used by the thread
   std::vector<std::uint32_t> held_;
-  std::optional<LinePoints> points_;  // of the newest line; of the thread
+  std::optional<LinePoints> points_;  // of the newest line; used by the thread
   Vec3 begin_ = Vec3::Zero();         // mm, LPS, where that line touches the body
-  std::mutex lock_;                   // of what could not be computed:
-  std::vector<std::string> failures_, told_;
-  bool failed_without_words_ = false;  // there was no memory for them
+  std::mutex lock_;                   // guards the record of failures:
+  std::vector<std::string> failures_, reported_;
+  bool failed_without_words_ = false;  // no memory was left for the sentences
   std::thread thread_;                 // the last member: it uses the others
 };
 

@@ -18,13 +18,13 @@ std::size_t tiles_of(std::size_t size, std::size_t of) {
   return (size + of - 1) / of;
 }
 
-// A piece of a lower triangle: rows from `row` on below the diagonal, or the diagonal's own square.
+// A piece of a lower triangle: rows from `row` on below the diagonal, or the square on the diagonal.
 struct TriangleTile {
   std::size_t row, rows, column, columns;
 };
 
-// The lower triangle of size x size in tiles, each column of them from its square on; the squares first, since they
-// differ from the rest.
+// The lower triangle of size x size in tiles, by columns from the square down; the squares first, since they differ
+// from the rest.
 std::vector<TriangleTile> tiles_of_triangle(std::size_t size, std::size_t rows) {
   std::vector<TriangleTile> tiles;
   for (std::size_t column = 0; column < rows; column += tile) {
@@ -81,8 +81,8 @@ std::size_t factorise_front(ThreadPool& pool, std::size_t width, std::size_t hei
   return width;
 }
 
-// X = L^-1 goes into the lower triangle of `inverse`, and X^T X into the upper one, but for the squares on the
-// diagonal, for which both have a use.
+// X = L^-1 goes into the lower triangle of `inverse`, and X^T X into the upper one, except for the squares on the
+// diagonal, which both use.
 void invert_from_lower(ThreadPool& pool, std::size_t size, const double* lower, double* inverse,
                        const DenseTiles& kernel) {
   const std::size_t count = tiles_of(size, tile);

@@ -11,10 +11,10 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr std::size_t mirror_tile = 32;     // rows and columns that stay in the cache together
-constexpr std::size_t solved_columns = 48;  // columns that are solved together
+constexpr std::size_t mirror_tile = 32;     // rows and columns that fit into the cache together
+constexpr std::size_t solved_columns = 48;  // columns solved together
 constexpr std::size_t most_packed_depth = 256, most_packed_rows = 144,
-                      most_packed_columns = 192;  // multiples of every tile
+                      most_packed_columns = 192;  // multiples of every tile size
 
 int as_int(std::size_t value) {
   return static_cast<int>(value);
@@ -28,8 +28,8 @@ struct Operand {
 
 enum class Extent { all, lower };
 
-// `factor` times rows `from` to `to` and columns `first` to `last`, in strips of `width` rows, the last filled up
-// with zeros: the `width` numbers of each column in turn. Read in the order in which they lie in memory.
+// `factor` times rows `from` to `to` and columns `first` to `last`, in strips of `width` rows, the last padded with
+// zeros: the `width` numbers of each column in turn. Read in memory order.
 template <std::size_t width>
 void pack_strips(const Operand& a, double factor, std::size_t from, std::size_t to, std::size_t first,
                  std::size_t last, double* packed) {
@@ -68,7 +68,7 @@ std::size_t rounded_up(std::size_t size, std::size_t to) {
   return (size + to - 1) / to * to;
 }
 
-// One tile of c that is not whole, or of which only the lower triangle is wanted; its first element is (row, column).
+// A partial tile of c, or one of which only the lower triangle is required; its first element is (row, column).
 void add_to_part(const DenseTiles& tiles, std::size_t depth, const double* a, const double* b, std::size_t row,
                  std::size_t rows, std::size_t column, std::size_t columns, Extent part, double* c,
                  std::size_t lead) {
@@ -83,7 +83,7 @@ void add_to_part(const DenseTiles& tiles, std::size_t depth, const double* a, co
     for (std::size_t i = first_row(j); i < rows; ++i) c[j * lead + i] = whole[j * tiles.rows + i];
 }
 
-// c := c + factor a b^T, c is rows x columns, of which `part` is read and written.
+// c := c + factor a b^T, c is rows x columns, only `part` of it is read and written.
 void add_product(const DenseTiles& tiles, double factor, std::size_t rows, std::size_t columns, std::size_t depth,
                  const Operand& a, const Operand& b, Extent part, double* c, std::size_t lead) {
   if (rows == 0 || columns == 0 || depth == 0) return;
@@ -132,7 +132,7 @@ void solve_strips(const DenseTiles& tiles, std::size_t rows, std::size_t first, 
     std::copy_n(rest.data() + j * tiles.strip, rows - row, x + j * lead + row);
 }
 
-// Of at most `solved_columns` columns, in a copy whose strips are whole.
+// For at most `solved_columns` columns, in a copy with complete strips.
 std::size_t cholesky_of_block(const DenseTiles& tiles, std::size_t size, double* a, std::size_t lead) {
   constexpr std::size_t high = solved_columns + 16;
   std::array<double, high * solved_columns> copy;

@@ -9,15 +9,15 @@ namespace bodkin::fem {
 // The dense linear algebra of the factorisation. Matrices are column-major; `lead` is the distance between columns.
 // Only the lower triangle of a symmetric or triangular matrix is read or written.
 //
-// The functions that take `tiles` have the same bits for each of dense_tiles(), and so on every processor: each
-// number is one chain of fused multiply-adds in the order of the columns. The others, for displacements that are only
-// looked at, are OpenBLAS's, whose bits depend on the processor.
+// The functions with `tiles` have the same bits for each of dense_tiles(), and so on every processor: each number is
+// one chain of fused multiply-adds in the order of the columns. The others, for displacements that are only
+// displayed, are OpenBLAS's, whose bits depend on the processor.
 
-// Every call below runs on the thread that makes it. OpenBLAS has one number of threads for the whole program, and it
+// Makes every call below run on its calling thread. OpenBLAS has one number of threads for the whole program, which
 // stays at one from here on: its own threads wait by spinning.
 void use_one_thread_each();
 
-// a := L with a = L L^T. Returns size, or the first column that has no positive pivot.
+// a := L with a = L L^T. Returns size, or the first column without a positive pivot.
 std::size_t cholesky(const DenseTiles& tiles, std::size_t size, double* a, std::size_t lead);
 
 // b := b L^-T, rows x size.
@@ -56,7 +56,7 @@ void subtract_transposed_product(std::size_t rows, std::size_t size, std::size_t
 
 // The upper triangle becomes the mirror of the lower.
 void mirror_lower(std::size_t size, double* a, std::size_t lead);
-// Columns `from` to `to` of the lower triangle become the mirror of the upper one, whatever stands in the others.
+// Columns `from` to `to` of the lower triangle become the mirror of the upper one; the others are not changed.
 void mirror_upper(std::size_t size, double* a, std::size_t lead, std::size_t from, std::size_t to);
 
 }  // namespace bodkin::fem

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t nodes_at_once = 16;  // 48 right-hand sides: enough for the solver's matrix products
 
-// mm/N: how the points move by forces on the places where left needles hold the tissue, 3 columns each.
+// mm/N: displacements of the points by forces at the places where left needles hold the tissue, 3 columns each.
 Eigen::MatrixXd moved_by(const LeftNeedleForces& left, const ElasticBody& body, std::span<const PointInMesh> points) {
   const std::vector<PointInMesh>& places = left.places();
   Eigen::MatrixXd found(3 * static_cast<Eigen::Index>(points.size()), 3 * static_cast<Eigen::Index>(places.size()));
@@ -63,7 +63,7 @@ DisplayField display_columns(const ElasticBody& body, std::span<const PointInMes
     }
     rows.push_back(3 * (place - corridor.begin()));
   }
-  const std::size_t of_left = 9 * points.size() * left.places().size() * sizeof(double);  // for as long as this lasts
+  const std::size_t of_left = 9 * points.size() * left.places().size() * sizeof(double);  // while this lives
   const std::size_t bytes = display_bytes(points.size(), nodes.size() + spare) + of_left;
   if (bytes > available_memory()) {
     throw InputError(

@@ -35,14 +35,14 @@ Incidence incidence_of(const anatomy::TetrahedralMesh& mesh) {
   return incidence;
 }
 
-// A shape function of an element: of one of its corners, or of the edge between two.
+// A shape function of an element: of a corner, or of the edge between two.
 struct ShapeFunction {
   std::uint32_t unknown = 0;
-  std::size_t a = 0, b = 0;  // corners; the same twice for that of a corner
+  std::size_t a = 0, b = 0;  // corners; both the same for a corner function
   bool is_of_edge() const noexcept { return a != b; }
 };
 
-// Those that are not fixed, at most ten.
+// The unknowns that are not fixed, at most ten.
 class ShapeFunctions {
  public:
   ShapeFunctions(const std::array<std::uint32_t, 4>& corners, const ElasticSystem& system) {
@@ -66,7 +66,7 @@ class ShapeFunctions {
   std::size_t count_ = 0;
 };
 
-// Which unknowns share an element, as the pattern of the matrix.
+// The pattern of the matrix: pairs of unknowns that share an element.
 void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
   const Incidence incidence = incidence_of(mesh);
   BlockMatrix& matrix = system.stiffness;
@@ -89,10 +89,10 @@ void find_pattern(const anatomy::TetrahedralMesh& mesh, ElasticSystem& system) {
   }
 }
 
-// N/mm between the corners of an element.
+// N/mm, between the corners of an element.
 using CornerBlocks = std::array<std::array<Mat3, 4>, 4>;
 
-// Between two shape functions; where p is of a corner, q is, too. The gradient of an edge's is 4 (w_a g_b + w_b g_a);
+// Between two shape functions; if p is of a corner, q is, too. The gradient of an edge's is 4 (w_a g_b + w_b g_a);
 // the mean of w_i over an element is 1/4, that of w_i w_j 1/20, of w_i^2 1/10.
 Mat3 block_between(const ShapeFunction& p, const ShapeFunction& q, const CornerBlocks& corners) {
   if (!p.is_of_edge()) return corners[p.a][q.a];

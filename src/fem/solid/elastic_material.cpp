@@ -13,9 +13,9 @@ namespace bodkin::fem {
 namespace {
 
 constexpr double most_poisson = 0.49;
-constexpr double most_contrast = 1e6;  // of Young's moduli; beyond, too few digits are left of the softer one
+constexpr double most_contrast = 1e6;  // of Young's moduli; beyond it, too few digits remain of the softer one
 
-// A pull along the fibres must not make more energy than it takes: nu < sqrt(E_a / E), and positive moduli.
+// A pull along the fibres must not create energy: nu < sqrt(E_a / E), and positive moduli.
 void check_fibres(anatomy::TissueId tissue, const ElasticMaterial& material) {
   const double nu = material.poisson, n = material.young / material.young_along;
   if (!(material.young_along > 0.0 && material.shear_along > 0.0 && std::isfinite(material.young_along) &&
@@ -32,7 +32,7 @@ void check_fibres(anatomy::TissueId tissue, const ElasticMaterial& material) {
         tissue, material.young_along, material.young, nu));
   }
   if (!(std::abs(material.fibre.norm() - 1.0) < 1e-9))
-    throw InputError(fmt::format("the direction of the fibres of tissue {} is no unit vector", tissue));
+    throw InputError(fmt::format("the direction of the fibres of tissue {} is not a unit vector", tissue));
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ LameConstants lame_constants(const ElasticMaterial& material) noexcept {
   return {material.young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), material.young / (2.0 * (1.0 + nu))};
 }
 
-// The inverse of the compliances 1/E, -nu/E across, 1/E_a, -nu/E_a along and 1/G_a, in the invariants of the fibre.
+// Inverts the compliances 1/E, -nu/E across, 1/E_a, -nu/E_a along and 1/G_a, in the invariants of the fibre.
 ElasticConstants elastic_constants(const ElasticMaterial& material) noexcept {
   ElasticConstants constants;
   constants.across = lame_constants(material);
@@ -118,10 +118,8 @@ std::vector<std::string> check_materials(const anatomy::TetrahedralMesh& mesh, c
   if (mesh.elements.empty() || young_of(stiffest) <= most_contrast * young_of(softest)) return {};
   return {fmt::format(
       "tissue {} has a Young's modulus of {:g} MPa and tissue {} one of {:g} MPa, more than {:.0e} times as much: "
-      "the "
-      "body is used, but what is softer has few exact digits; hold the stiffer tissue (fix_bone) or choose moduli "
-      "that "
-      "are closer to each other",
+      "the body is used, but the softer tissue's results are inaccurate; fix the stiffer tissue (fix_bone) or choose "
+      "moduli that are closer to each other",
       mesh.tissues[softest], young_of(softest), mesh.tissues[stiffest], young_of(stiffest), most_contrast)};
 }
 

@@ -18,8 +18,8 @@ TetrahedronGradients tetrahedron_gradients(const std::array<Vec3, 4>& corners) {
 
 namespace {
 
-// What fibres add to the block between two corners, per volume. Each sum is in an order that an exchange of the
-// corners leaves as it is.
+// Contribution of fibres to the block between two corners, per volume. The order of each sum is invariant under an
+// exchange of the corners.
 Mat3 fibre_block(const Vec3& ga, const Vec3& gb, const ElasticConstants& material) {
   const Vec3& f = material.fibre;
   const double fa = f.dot(ga), fb = f.dot(gb), both = fa * fb, dot = ga.dot(gb);

@@ -32,7 +32,7 @@ std::vector<std::uint32_t> parents(const NodeGraph& graph, const std::vector<std
   return parent;
 }
 
-// Every node after its children's subtrees: result k is the node that comes k-th.
+// Every node after its children's subtrees: result k is the k-th node.
 std::vector<std::uint32_t> postorder(const std::vector<std::uint32_t>& parent) {
   const auto nodes = static_cast<std::uint32_t>(parent.size());
   std::vector<std::uint32_t> first_child(nodes, no_parent), next_sibling(nodes, no_parent), order, waiting;

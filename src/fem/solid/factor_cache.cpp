@@ -27,10 +27,10 @@ constexpr std::uint32_t factor_version = 1;  // of the file and of the computati
 constexpr std::uint32_t factor_byte_order = 0x01020304;
 constexpr std::uint64_t most_free_nodes = 1U << 21U;
 constexpr std::uint64_t most_rows = 1ULL << 32U;
-constexpr std::size_t page = 4096;  // at a multiple of which the numbers begin
+constexpr std::size_t page = 4096;  // alignment of the numbers
 
-// The first bytes of the file. After them: the order of elimination, the supernodes' sizes, their rows, and from the
-// next page on the factor's numbers.
+// The first bytes of the file, followed by the order of elimination, the supernodes' sizes, their rows, and, from the
+// next page on, the factor's numbers.
 struct FactorHeader {
   std::array<char, 8> magic = factor_magic;
   std::uint32_t version = factor_version;
@@ -38,7 +38,7 @@ struct FactorHeader {
   std::uint64_t digest_high = 0, digest_low = 0;
   std::uint64_t nodes = 0, supernodes = 0, rows = 0, numbers = 0;
   std::uint64_t numbers_digest = 0;  // digest_of(PackedFactor)
-  std::uint64_t checksum = 0;        // XXH3 of this header, with a checksum of 0, and of all up to the numbers
+  std::uint64_t checksum = 0;        // XXH3 of this header, with checksum 0, and of all up to the numbers
 };
 static_assert(sizeof(FactorHeader) == 80, "the header must have no padding");
 static_assert(sizeof(FactorLayout::Size) == 8, "no padding may be hashed");
@@ -54,7 +54,7 @@ std::string_view bytes_of(std::span<const Value> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-// Copied out of the file's bytes from `at` on, which moves behind them.
+// Copied from the file's bytes at `at`, which is then moved past them.
 template <typename Value>
 std::vector<Value> values_at(std::span<const std::byte> bytes, std::size_t count, std::size_t& at) {
   std::vector<Value> values(count);
@@ -63,7 +63,7 @@ std::vector<Value> values_at(std::span<const std::byte> bytes, std::size_t count
   return values;
 }
 
-// With a sentence's end that says what to do.
+// Appends the advice that ends the sentence.
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
   throw InputError(fmt::format("{} {}; remove it, it is only a cache", file.string(), why));
 }
@@ -77,11 +77,11 @@ FactorHeader header_of(const fs::path& file, std::span<const std::byte> bytes, c
     refuse(file, "was written by another version of Bodkin or on another kind of machine");
   if (BodyDigest{header.digest_high, header.digest_low} != digest)
     refuse(file, "belongs to another body: the mesh, the materials or what is fixed are different");
-  // Of counts below these nothing can overflow.
+  // With counts below these nothing can overflow.
   const bool possible = header.nodes <= most_free_nodes && header.supernodes <= header.nodes &&
                         header.rows <= most_rows && header.numbers <= bytes.size() / sizeof(double);
   if (!possible || numbers_begin(header) + sizeof(double) * header.numbers != bytes.size())
-    refuse(file, fmt::format("is damaged: it has {} bytes, which cannot be", bytes.size()));
+    refuse(file, fmt::format("is damaged: it has {} bytes, which is impossible", bytes.size()));
   FactorHeader without_checksum = header;
   without_checksum.checksum = 0;
   std::string begin(reinterpret_cast<const char*>(bytes.data()), numbers_begin(header));
@@ -105,7 +105,7 @@ FactorLayout layout_in(const fs::path& file, std::span<const std::byte> bytes, c
   }
 }
 
-// Nothing, or why the factor is not kept: the disk must not be filled by what can be computed again.
+// Nothing, or why the factor is not stored: recomputable data must not fill the disk.
 std::string reason_against(const fs::path& file, const PackedFactor& factor) {
   std::error_code problem;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -166,10 +166,10 @@ std::shared_ptr<const ContactBody> contact_body_with_cache(const fs::path& file,
                                                            const std::shared_ptr<const BodyDescription>& body,
                                                            const Progress& progress,
                                                            const std::function<void(const std::string&)>& note) {
-  const auto tell = [&note](const std::string& sentence) {
+  const auto report = [&note](const std::string& sentence) {
     if (note) note(sentence);
   };
-  for (const std::string& warning : check_body(*body)) tell(warning);
+  for (const std::string& warning : check_body(*body)) report(warning);
   BodyDigest digest;
   std::error_code problem;
   if (!file.empty()) digest = digest_of({body->mesh, body->materials, body->fixed, {}});
@@ -177,14 +177,14 @@ std::shared_ptr<const ContactBody> contact_body_with_cache(const fs::path& file,
     try {
       return std::make_shared<const ContactBody>(body, load_factor(file, digest));
     } catch (const InputError& error) {
-      tell(std::string("the body is prepared anew, since ") + error.what());
+      report(std::string("the body is prepared again, because ") + error.what());
     }
   }
   auto whole = std::make_shared<const ContactBody>(body, FactorOptions{}, progress);
   if (file.empty()) return whole;
   if (progress) progress("keeping the prepared body", 0.0);
   const std::string reason = not_kept(file, whole->factor(), digest);
-  if (!reason.empty()) tell("the prepared body is not kept for the next time, since " + reason);
+  if (!reason.empty()) report("the prepared body is not kept for the next time, because " + reason);
   return whole;
 }
 

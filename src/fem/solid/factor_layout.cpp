@@ -20,7 +20,7 @@ bool is_permutation(std::span<const std::uint32_t> position) {
   return true;
 }
 
-// Every supernode has columns, together all nodes, and as many rows as there are.
+// Every supernode has columns, together all nodes, and as many rows as are stored.
 bool sizes_fit(std::span<const FactorLayout::Size> sizes, std::size_t nodes, std::size_t rows) {
   std::uint64_t all_columns = 0, all_rows = 0;
   for (const FactorLayout::Size& size : sizes) {
@@ -31,7 +31,7 @@ bool sizes_fit(std::span<const FactorLayout::Size> sizes, std::size_t nodes, std
   return all_columns == nodes && all_rows == rows;
 }
 
-// What a supernode changes lies below it, ascending, and its parent has all of it: as columns or as rows.
+// The rows that a supernode changes lie below it, ascending, and are all columns or rows of its parent.
 bool passes_all_on(const FactorLayout& layout, const FactorLayout::Part& part) {
   const std::span<const std::uint32_t> rows(layout.rows.data() + part.rows_at, part.rows);
   if (rows.empty()) return true;
@@ -45,7 +45,7 @@ bool passes_all_on(const FactorLayout& layout, const FactorLayout::Part& part) {
 
 }  // namespace
 
-// A supernode with its rows in place; its parent is not known before all are.
+// A supernode with its rows in place; its parent is known only when all are.
 void FactorLayout::add(Size size) {
   Part part;
   if (!parts.empty()) {

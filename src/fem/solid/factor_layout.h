@@ -22,10 +22,10 @@ constexpr std::size_t triangle_size(std::size_t width) {
   return strip_rows * strip_rows * strips * (strips + 1) / 2;
 }
 
-// What a factor consists of and where its numbers lie: its supernodes in the order of elimination, each after those
-// beneath it in the elimination tree.
+// The structure of a factor and the positions of its numbers: its supernodes in the order of elimination, each after
+// those below it in the elimination tree.
 struct FactorLayout {
-  // How many nodes a supernode has, and how many lie below it.
+  // The number of nodes of a supernode, and of nodes below it.
   struct Size {
     std::uint32_t columns = 0, rows = 0;
   };
@@ -34,18 +34,18 @@ struct FactorLayout {
     std::uint32_t rows = 0;                // nodes below
     std::size_t rows_at = 0;               // into FactorLayout::rows
     std::size_t own_at = 0, below_at = 0;  // into the numbers
-    std::uint32_t parent = 0;              // a part after it; itself: none
+    std::uint32_t parent = 0;              // a later part; itself: none
   };
 
   explicit FactorLayout(const SymbolicFactor& symbolic);
   // `position`: of each node in the order of elimination. `sizes`: of each supernode. `rows`: positions below each
-  // supernode, one supernode after another. Throws InputError, one sentence, when there can be no factor like that.
+  // supernode, one supernode after another. Throws InputError, one sentence, when no factor can have this structure.
   FactorLayout(std::vector<std::uint32_t> position, std::span<const Size> sizes, std::vector<std::uint32_t> rows);
 
   std::vector<std::uint32_t> position;  // of each node in the order of elimination
   std::vector<std::uint32_t> part_of;   // by position
   std::vector<std::uint32_t> rows;      // positions
-  std::vector<Part> parts;              // one a supernode
+  std::vector<Part> parts;              // one per supernode
   std::size_t numbers = 0;              // of all supernodes
 
   std::size_t bytes() const noexcept;  // without the numbers

@@ -21,23 +21,23 @@ struct Front {
   std::size_t update_height() const noexcept { return 3 * std::size_t{supernode->rows}; }
 };
 
-// Puts together fronts from the blocks of a matrix and from the updates of their children.
+// Assembles fronts from the blocks of a matrix and from the updates of their children.
 class FrontAssembly {
  public:
   FrontAssembly(const BlockMatrix& matrix, const SymbolicFactor& symbolic);
 
-  // Adds the blocks of the matrix that belong to the columns of this front.
+  // Adds the blocks of the matrix in the columns of this front.
   void add_matrix(const Front& front);
   // Adds the packed update of a child.
   void add_update(const Front& front, const Supernode& child, const double* update);
 
  private:
-  // Where each row of the front stands in it, in nodes.
+  // Determines the position of each row in the front, in nodes.
   void place_rows(const Supernode& supernode);
 
   struct Entry {
     std::uint32_t row;  // position
-    bool transposed;    // the block is of the upper triangle in this order
+    bool transposed;    // the block is in the upper triangle in this order
     std::size_t block;  // in the matrix
   };
   const BlockMatrix& matrix_;

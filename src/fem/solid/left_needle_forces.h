@@ -12,23 +12,23 @@
 
 namespace bodkin::fem {
 
-// By what forces needles that were left in a body hold its tissue when anything else moves it: f_c of BoundPoints, so
-// that a picture has the same needles in it as the equations of a needle in the hand.
+// The forces by which needles left in a body hold its tissue when anything else moves it: f_c of BoundPoints, so that
+// the display contains the same needles as the equations of a needle in the hand.
 class LeftNeedleForces {
  public:
   // No needle.
   LeftNeedleForces() = default;
-  // From their entry to their tip. `body`: null for one of which a needle meets nodes, which left ones do not bind.
-  // Throws InputError for one without length.
+  // Needles from their entry to their tip. `body`: null if a needle meets the body's nodes, which left needles do not
+  // bind. Throws InputError for a needle of zero length.
   LeftNeedleForces(const ContactBody* body, std::span<const anatomy::NeedlePath> left);
 
   bool empty() const noexcept { return places_.empty(); }
-  // Where they hold the tissue.
+  // The points at which they hold the tissue.
   const std::vector<PointInMesh>& places() const noexcept { return places_; }
-  // N on the tissue, 3 rows for each of places(), from how every node of the mesh would move without the needles (mm,
-  // 3 rows each), column by column.
+  // N on the tissue, 3 rows for each of places(), from the displacement that every node of the mesh would have
+  // without the needles (mm, 3 rows each), column by column.
   Eigen::MatrixXd against(const Eigen::MatrixXd& moved) const;
-  // The same from how places() would move.
+  // As above, from the displacements of places().
   Eigen::MatrixXd against_places(Eigen::MatrixXd moved) const;
 
  private:

@@ -13,7 +13,7 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double shaft_radius = 0.5;     // mm: a ball as soft as 1 mm of a thin needle's shaft
+constexpr double shaft_radius = 0.5;     // mm: a ball as compliant as 1 mm of a thin needle's shaft
 constexpr double left_spacing = 1.0;     // mm
 constexpr double longest_left = 1000.0;  // mm
 

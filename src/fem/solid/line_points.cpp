@@ -10,7 +10,7 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double reach = 5.0;  // mm outside the mesh, where its surface has been rounded off
+constexpr double reach = 5.0;  // mm outside the mesh, whose surface has been rounded off
 constexpr std::ptrdiff_t most_in_element = 2;
 
 }  // namespace
@@ -18,14 +18,14 @@ constexpr std::ptrdiff_t most_in_element = 2;
 LinePoints::LinePoints(const ContactBody& body, double tip_radius, const BoundPoints& bound, int threads)
     : body_(body), bound_(bound), tip_radius_(tip_radius), pool_(threads) {}
 
-void LinePoints::add(std::span<const NeedleStation> stations, const Vec3& direction) {
-  for (const NeedleStation& station : stations) {
-    const PointInMesh place = body_.finder_.find(station.place, reach);
+void LinePoints::add(std::span<const ContactSite> sites, const Vec3& direction) {
+  for (const ContactSite& site : sites) {
+    const PointInMesh place = body_.finder_.find(site.place, reach);
     if (!place.moves()) continue;
     const auto there =
         std::ranges::count(points_, place.element, [](const Point& point) { return point.place.element; });
-    if (!station.border && there >= most_in_element) continue;
-    points_.push_back({station, direction, place});
+    if (!site.border && there >= most_in_element) continue;
+    points_.push_back({site, direction, place});
   }
   between_.resize(points_.size());
   gains_.resize(points_.size());
@@ -41,7 +41,7 @@ void LinePoints::keep_first(std::size_t count) {
   shares_.resize(std::min(shares_.size(), count));
 }
 
-// The displacements of the whole body by forces on the points up to `to`, those that are missing.
+// The missing displacements of the whole body by forces on the points up to `to`.
 void LinePoints::respond(std::size_t to) {
   const std::size_t from = responses_.size();
   if (from >= to) return;
@@ -97,24 +97,24 @@ void LinePoints::stream(std::size_t from, const std::function<bool(const Contact
 
 ContactPoint LinePoints::point(std::size_t i) const {
   const Point& here = points_[i];
-  ContactPoint made{here.station.place, here.station.tissue, {here.place.nodes, here.place.weights}, between_[i], {}};
+  ContactPoint made{here.site.place, here.site.tissue, {here.place.nodes, here.place.weights}, between_[i], {}};
   if (!bound_.empty()) made.on_held = bound_.on_held(shares_[i], 0);
   return made;
 }
 
 CarriedPoint LinePoints::load_of(const Point& point) const {
-  if (!point.station.resists) return body_.carried(point.place);
+  if (!point.site.resists) return body_.carried(point.place);
   return carried_point(places_of(disk_of(point), body_.finder_, reach), body_.free_nodes_, body_.edges_);
 }
 
-// mm/N, what the mesh lacks at a point.
+// mm/N, the compliance that the mesh lacks at a point.
 Mat3 LinePoints::gain_of(std::size_t i) const {
   const BodyDescription& body = *body_.body_;
   Mat3 regular = shaft_gain_in(body.mesh, body.materials, points_[i].place.element);
-  if (!points_[i].station.resists) return regular;
+  if (!points_[i].site.resists) return regular;
   const Mat3 gain = refinement_gain({body.mesh, body_.fixed_, body_.stiff_skin_}, body_.finder_, body.materials,
                                     disk_of(points_[i]));
-  // A disk in held elements moves by nothing else.
+  // A disk in held elements has no other compliance.
   return responses_[i].path.empty() ? Mat3(gain + regular) : gain;
 }
 

@@ -107,7 +107,7 @@ MeshPatch refined(const MeshPatch& patch) {
     add({ab, b, bc, bd});
     add({ac, bc, c, cd});
     add({ad, bd, cd, d});
-    // Two opposite middles, and the four around them in turn.
+    // Two opposite midpoints, and the four around them in turn.
     const std::array<std::array<std::uint32_t, 6>, 3> ways = {
         {{ab, cd, ac, ad, bd, bc}, {ac, bd, ab, ad, cd, bc}, {ad, bc, ab, ac, cd, bd}}};
     const auto& way = *std::min_element(ways.begin(), ways.end(), [&nodes](const auto& one, const auto& other) {

@@ -7,7 +7,7 @@
 
 namespace bodkin::fem {
 
-// Where something is, for sentences: "(1.0, -2.5, 30.0) mm".
+// A position, for sentences: "(1.0, -2.5, 30.0) mm".
 std::string place_of(const Vec3& point);
 // The middle of an element, whose indices must be in range.
 Vec3 middle_of_element(const anatomy::TetrahedralMesh& mesh, std::size_t element);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double flattest = 1e-6;     // volume of an element over the cube of its mean edge
 constexpr double poor_angle = 5.0;    // degrees
-constexpr double on_one_line = 1e-3;  // distance from a line, over its length; less holds a millionth as well
+constexpr double on_one_line = 1e-3;  // distance from a line over its length; less holds only a millionth as well
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
@@ -109,7 +109,7 @@ void refuse_repeated(const anatomy::TetrahedralMesh& mesh) {
                   twice->second, std::next(twice)->second, place_of_element(mesh, twice->second)));
 }
 
-// The pieces of a mesh that hang together through elements: a union-find over nodes.
+// The connected pieces of a mesh: a union-find over nodes.
 class Pieces {
  public:
   explicit Pieces(const anatomy::TetrahedralMesh& mesh) : parent_(mesh.nodes.size()) {
@@ -132,7 +132,7 @@ class Pieces {
   std::vector<std::uint32_t> parent_;
 };
 
-// The fixed nodes of one piece, as far as needed to see that they hold it.
+// The fixed nodes of one piece, as many as show that they hold it.
 struct Support {
   std::vector<std::uint32_t> nodes;  // up to three, not on one line
   void add(const anatomy::TetrahedralMesh& mesh, std::uint32_t node) {
@@ -180,7 +180,7 @@ void check_supports(const anatomy::TetrahedralMesh& mesh, std::span<const std::u
         "no node of the body is fixed, so that any force would carry it away; fix its bone or its far side");
   }
   Pieces pieces(mesh);
-  std::vector<Support> supports(mesh.nodes.size());  // by the first node of a piece
+  std::vector<Support> supports(mesh.nodes.size());  // by first node of a piece
   for (const std::uint32_t node : fixed) {
     if (node >= mesh.nodes.size()) {
       throw InputError(

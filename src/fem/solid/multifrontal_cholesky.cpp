@@ -16,9 +16,9 @@ namespace bodkin::fem {
 
 namespace {
 
-// A pivot that rounding alone can leave of a diagonal entry. Bone in fat, ten million times as stiff, leaves 1e-8.
+// A pivot that rounding alone can leave from a diagonal entry. Bone in fat, ten million times as stiff, leaves 1e-8.
 constexpr double no_pivot = 1e-12;
-constexpr std::size_t columns_at_once = 256;  // of an update that is emptied; the machine gives its pages then
+constexpr std::size_t columns_at_once = 256;  // per emptied update; the system then provides its pages
 
 // The whole update `full` as its lower triangle, packed, further down in the same memory.
 void pack(const double* full, std::size_t height, double* packed) {
@@ -38,7 +38,7 @@ MultifrontalCholesky::MultifrontalCholesky(const BlockMatrix& matrix, SymbolicFa
                                            const FactorOptions& options, const Progress& progress)
     : symbolic_(std::move(symbolic)), options_(options) {
   const std::size_t limit = options_.memory_limit > 0 ? options_.memory_limit : available_memory();
-  const std::size_t needed = symbolic_.bytes(options_.keep_field) + options_.taken_elsewhere;
+  const std::size_t needed = symbolic_.bytes(options_.keep_field) + options_.used_elsewhere;
   if (needed > limit) {
     throw InputError(
         fmt::format("the body's {} free nodes with {} in the corridor need {} bytes ({:.1f} GB) to be "
@@ -71,7 +71,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
   if (!options_.keep_field) last_ = ZeroPages(symbolic_.last_size());
   const ZeroPages stack(symbolic_.stack_size);
   double* top = stack.data();
-  std::vector<std::uint32_t> waiting;  // supernodes whose updates lie on the stack
+  std::vector<std::uint32_t> waiting;  // supernodes whose updates are on the stack
   FrontAssembly assembly(matrix, symbolic_);
   double done = 0.0, reported = 0.0;
   for (std::uint32_t s = 0; s < symbolic_.supernodes.size(); ++s) {
@@ -91,7 +91,7 @@ void MultifrontalCholesky::factorise(const BlockMatrix& matrix, ThreadPool& pool
       top -= from.update_size();
       assembly.add_update(front, from, top);
     }
-    std::vector<double> diagonal;  // of the matrix, before anything was taken from it
+    std::vector<double> diagonal;  // of the matrix, before anything was subtracted
     for (std::uint32_t k = 0; k < supernode.columns; ++k) {
       const Mat3& block = matrix.block[matrix.start[symbolic_.order[supernode.first + k]]];
       for (Eigen::Index i = 0; i < 3; ++i) diagonal.push_back(block(i, i));
@@ -129,7 +129,7 @@ Eigen::MatrixXd MultifrontalCholesky::last_compliance() const {
   return compliance;
 }
 
-// x of the supernode's columns := L^-1 x, and what they leave in the rows below.
+// x of the supernode's columns := L^-1 x, and their updates of the rows below.
 void MultifrontalCholesky::substitute_forward(std::size_t index, Eigen::MatrixXd& x, Eigen::MatrixXd& work) const {
   const Supernode& supernode = symbolic_.supernodes[index];
   const auto columns = static_cast<std::size_t>(x.cols()), lead = static_cast<std::size_t>(x.rows());

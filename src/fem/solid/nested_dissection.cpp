@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 constexpr idx_t seed = 1;
 
-// METIS's names for the nodes: all but `last`, in their order.
+// METIS's indices of the nodes: all except `last`, in their order.
 std::vector<std::uint32_t> names_without(std::uint32_t nodes, std::span<const std::uint32_t> last) {
   std::vector<std::uint32_t> names(nodes, 0);
   for (const std::uint32_t node : last) {
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> nested_dissection(const NodeGraph& graph, std::span<c
   if (count == 0) return order;
 
   std::vector<idx_t> start{0}, neighbours, permutation(static_cast<std::size_t>(count)), inverse(permutation.size());
-  std::vector<std::uint32_t> nodes;  // by METIS's name
+  std::vector<std::uint32_t> nodes;  // by METIS's index
   for (std::uint32_t node = 0; node < graph.nodes(); ++node) {
     if (names[node] == absent) continue;
     nodes.push_back(node);
@@ -76,14 +76,14 @@ std::vector<std::uint32_t> nested_dissection(const NodeGraph& graph, std::span<c
     }
     start.push_back(static_cast<idx_t>(neighbours.size()));
   }
-  if (neighbours.empty()) neighbours.push_back(0);  // METIS wants an address even where there is nothing
+  if (neighbours.empty()) neighbours.push_back(0);  // METIS requires an address even for an empty array
   std::array<idx_t, METIS_NOPTIONS> options{};
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_SEED] = seed;
   options[METIS_OPTION_NUMBERING] = 0;
   const int status = [&] {
-    // METIS draws from the C library's random numbers, of which the program has one sequence: two orderings at once
-    // would take numbers from each other, and neither be the same again.
+    // METIS uses the C library's random numbers, one sequence per program: two simultaneous orderings would take
+    // numbers from each other, and neither would be repeatable.
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
     return METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options.data(), permutation.data(),

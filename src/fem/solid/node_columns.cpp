@@ -8,9 +8,9 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr std::size_t loads_at_once = 8;  // that share reading the factor
+constexpr std::size_t loads_at_once = 8;  // that share one pass over the factor
 
-// With the places of their nodes in the sorted `nodes`.
+// With the positions of their nodes in the sorted `nodes`.
 std::vector<PointInMesh> within(std::vector<PointInMesh> points, const std::vector<std::uint32_t>& nodes) {
   for (PointInMesh& point : points)
     for (std::uint32_t& node : point.nodes)

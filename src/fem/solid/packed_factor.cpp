@@ -40,17 +40,17 @@ BODKIN_LANES_INLINE void strip_products(const double* numbers, std::size_t colum
 
 // One supernode of a forward substitution, for several points.
 struct SweepStep {
-  const double* own;          // packed triangle, with the inverse of its diagonal in the place of that
+  const double* own;          // packed triangle, with the inverse of its diagonal in place
   const double* below;        // packed strips
   std::size_t width, height;  // numbers: own columns; rows below
   std::size_t first;          // the supernode's first equation
   const std::uint32_t* rows;  // below, in nodes
   std::size_t lead;           // between the columns of a point
-  double* const* points;      // three columns each, over the equations that are met
+  double* const* points;      // three columns each, over the equations on their paths
   std::size_t count;
 };
 
-// x of the supernode := L^-1 x, and taken from the rows below what follows.
+// x of the supernode := L^-1 x, and its product subtracted from the rows below.
 BODKIN_LANES_INLINE void sweep_inline(const SweepStep& step) noexcept {
   StripSums sums;
   const double* numbers = step.own;
@@ -104,12 +104,12 @@ struct BackStep {
   std::size_t first;
   const std::uint32_t* rows;
   std::size_t lead;
-  double* columns;  // three a point, over all equations
+  double* columns;  // three per point, over all equations
   std::size_t count;
-  double* sums;  // 3 x count x width lanes, of what is taken from each of the supernode's equations
+  double* sums;  // 3 x count x width lanes, to be subtracted from each of the supernode's equations
 };
 
-// Of three columns: sums of column k += the strip's numbers in it, lane by lane, times x.
+// For three columns: sums of column k += the strip's numbers, lane by lane, times x.
 BODKIN_LANES_INLINE void add_transposed(const double* numbers, std::size_t columns,
                                         const std::array<std::array<double, strip>, 3>& x, std::size_t width,
                                         double* sums) noexcept {
@@ -125,7 +125,7 @@ BODKIN_LANES_INLINE void add_transposed(const double* numbers, std::size_t colum
   }
 }
 
-// x of the supernode := L^-T x, where the rows below are known.
+// x of the supernode := L^-T x, with the rows below known.
 BODKIN_LANES_INLINE void back_inline(const BackStep& step) noexcept {
   const std::size_t of_point = 3 * lane_count * step.width;
   for (std::size_t i = 0; i < step.count * of_point; ++i) step.sums[i] = 0.0;
@@ -215,7 +215,7 @@ std::size_t PackedFactor::bytes() const noexcept {
 }
 
 void PackedFactor::take(std::size_t supernode, const double* panel, ThreadPool& pool) {
-  if (numbers_ == nullptr) {  // not before the memory was found to suffice
+  if (numbers_ == nullptr) {  // only after the memory was found to suffice
     pages_ = ZeroPages(layout_.numbers);
     numbers_ = pages_.data();
   }
@@ -262,8 +262,8 @@ std::vector<PointResponse> PackedFactor::respond(std::span<const CarriedPoint> p
         meets[p][at] = met[at] = true;
     }
   }
-  // Of all equations only those on the points' paths take part, a few of a hundred: these are numbered anew, so that
-  // neither memory nor clearing it grows with the body.
+  // Only the equations on the points' paths take part, a few per cent: these are renumbered, so that neither memory
+  // nor clearing it grows with the body.
   std::vector<std::uint32_t> begin(layout_.parts.size(), 0);
   std::uint32_t nodes_met = 0;
   for (std::uint32_t s = 0; s < layout_.parts.size(); ++s) {

@@ -16,12 +16,12 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double before_skin = 5.0;    // mm of the planned line before the entry that belong to the corridor
-constexpr double behind_face = 2.5;    // mm outwards of a face, where one looks for what lies behind it
-constexpr double closest_voxel = 3.0;  // mm from a node, how far its tissue is looked for
+constexpr double before_skin = 5.0;    // mm of the planned line before the entry, part of the corridor
+constexpr double behind_face = 2.5;    // mm outwards of a face, to look for more tissue
+constexpr double closest_voxel = 3.0;  // mm from a node, to search for its tissue
 constexpr anatomy::TissueId outside_volume = 255;
 
-// By TissueId: does not move and cannot be punctured.
+// By TissueId: whether it neither moves nor can be punctured.
 std::array<bool, 256> rigid_tissues(const anatomy::TissueLibrary& library) {
   std::array<bool, 256> rigid{};
   for (const anatomy::TissueProperties& tissue : library.tissues())
@@ -89,7 +89,7 @@ std::vector<OuterFace> outer_faces(const anatomy::TetrahedralMesh& mesh) {
   return outer;
 }
 
-// Behind the face lies more of the patient.
+// Whether more of the patient lies behind the face.
 bool is_cut(const OuterFace& face, const anatomy::TetrahedralMesh& mesh, const anatomy::TissueVolume& tissues) {
   const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
   Vec3 outwards = (b - a).cross(c - a).normalized();
@@ -129,7 +129,7 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
   return (point - (from + share * along)).norm();
 }
 
-// The planned path and what lies before and behind it, of which the corridor is prepared.
+// The planned path, extended at both ends, along which the corridor is prepared.
 std::pair<Vec3, Vec3> corridor_line(const anatomy::NeedlePath& path, const anatomy::CorridorSettings& settings) {
   return {path.entry - before_skin * path.direction(), path.target + settings.beyond * path.direction()};
 }
@@ -178,17 +178,17 @@ std::vector<std::uint32_t> corridor_about(const BodyDescription& body, const ana
   }
   if (near.empty()) {
     throw InputError(
-        fmt::format("no node of the mesh that can move lies within {:g} mm of the path; mesh the patient anew "
-                    "about this path, or give a larger corridor_radius_mm",
+        fmt::format("no node of the mesh that can move lies within {:g} mm of the path; mesh the patient again "
+                    "around this path, or give a larger corridor_radius_mm",
                     settings.radius));
   }
   const auto most = static_cast<std::size_t>(settings.nodes);
   if (near.size() > most) {
     std::sort(near.begin(), near.end());
-    notes.push_back(
-        fmt::format("the corridor reaches {:.1f} mm from the path, for it has {} nodes at most, and {} lie within "
-                    "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
-                    near[most - 1].first, most, near.size(), settings.radius));
+    notes.push_back(fmt::format(
+        "the corridor reaches {:.1f} mm from the path, because it has at most {} nodes, and {} lie within "
+        "{:g} mm; give a larger corridor_nodes where the needle is to be free to enter",
+        near[most - 1].first, most, near.size(), settings.radius));
     near.resize(most);
   }
   std::vector<std::uint32_t> nodes;

@@ -12,9 +12,10 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double inside = -1e-9;         // weight of a corner down to which a point is taken to be inside
+constexpr double inside = -1e-9;         // weight of a corner above which a point counts as inside
 constexpr int most_cells_along = 256;    // of the grid, along an axis
 constexpr double elements_a_cell = 2.0;  // about
+constexpr double rounding = 1.0 + 1e-9;  // of squared distances, far above their error
 
 using ElementNodes = std::array<std::uint32_t, 4>;
 using CornerWeights = std::array<double, 4>;
@@ -27,7 +28,17 @@ CornerWeights weights_in(const anatomy::TetrahedralMesh& mesh, const ElementNode
   return {1.0 - shares.sum(), shares.x(), shares.y(), shares.z()};
 }
 
-// The place of a triangle that is closest to a point, as weights (Ericson, Real-Time Collision Detection, 5.1.5).
+// mm^2, squared distance of a point from the box around an element: no place in the element is closer.
+double distance_to_box(const anatomy::TetrahedralMesh& mesh, const ElementNodes& corners, const Vec3& point) {
+  Vec3 low = mesh.nodes[corners[0]], high = low;
+  for (std::size_t i = 1; i < 4; ++i) {
+    low = low.cwiseMin(mesh.nodes[corners[i]]);
+    high = high.cwiseMax(mesh.nodes[corners[i]]);
+  }
+  return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
+}
+
+// The point of a triangle closest to a given point, as weights (Ericson, Real-Time Collision Detection, 5.1.5).
 std::array<double, 3> closest_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) {
   const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
   const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
@@ -47,7 +58,7 @@ std::array<double, 3> closest_in_triangle(const Vec3& a, const Vec3& b, const Ve
 
 }  // namespace
 
-// A regular grid over the mesh; every cell knows the elements whose boxes reach into it.
+// A regular grid over the mesh; every cell lists the elements whose boxes overlap it.
 class PointFinder::Grid {
  public:
   explicit Grid(const anatomy::TetrahedralMesh& mesh) : mesh_(mesh) {
@@ -74,7 +85,7 @@ class PointFinder::Grid {
       for_cells_of(e, [this, &next, e](std::size_t cell) { elements_[next[cell]++] = e; });
   }
 
-  // Calls `look` with every element that may come within `reach` of the point; some of them more than once.
+  // Calls `look` with every element that may be within `reach` of the point; some more than once.
   template <typename Look>
   void near(const Vec3& point, double reach, Look&& look) const {
     for_cells_between(point.array() - reach, point.array() + reach, [&](std::size_t cell) {
@@ -122,12 +133,13 @@ class PointFinder::Grid {
   std::vector<std::uint32_t> elements_;  // cell after cell
 };
 
-// The closest place of the closest element, for a point that lies in none.
+// The closest place in the closest element, for a point outside all elements.
 PointInMesh PointFinder::Grid::closest_place(const Vec3& point, double reach) const {
   PointInMesh found;
   double closest = reach * reach;
   near(point, reach, [&](std::uint32_t element) {
     const ElementNodes& corners = mesh_.elements[element];
+    if (distance_to_box(mesh_, corners, point) > closest * rounding) return;
     for (std::size_t left_out = 0; left_out < 4; ++left_out) {
       std::array<std::size_t, 3> face{};
       for (std::size_t i = 0; i < 3; ++i) face[i] = (left_out + 1 + i) % 4;
@@ -163,7 +175,7 @@ PointInMesh PointFinder::find(const Vec3& point, double reach) const {
     found = {mesh_.elements[element], weights, element};
   });
   if (met) return found;
-  // Most points outside lie close to the surface, where few elements have to be looked at.
+  // Most outside points lie close to the surface, where few elements need checking.
   for (double within = grid_->cell(); within < reach && !found.moves(); within *= 2.0)
     found = grid_->closest_place(point, within);
   return found.moves() ? found : grid_->closest_place(point, reach);

@@ -12,11 +12,11 @@ namespace bodkin::fem {
 
 namespace {
 
-constexpr double softer = 0.5;    // Young's modulus of what lies below a stiff skin, by the skin's
-constexpr double covering = 0.5;  // of a skin's free surface, that lies above what is softer
-constexpr double no_layer = 2.0;  // as large a border by the free surface has what only ends at the surface
+constexpr double softer = 0.5;    // Young's modulus below a stiff skin, over the skin's
+constexpr double covering = 0.5;  // of a skin's free surface, that lies above softer tissue
+constexpr double no_layer = 2.0;  // minimum border, by free surface, of tissue that only ends at the surface
 constexpr double parallel = 0.7;  // cosine between the skin's two sides
-constexpr int most_elements = 3;  // in the thickness of a skin; linear ones bend well enough where there are more
+constexpr int most_elements = 3;  // in the thickness of a skin; with more, linear ones bend well enough
 
 using Face = std::array<std::uint32_t, 3>;  // nodes, ascending
 
@@ -34,7 +34,7 @@ Face face_opposite(const std::array<std::uint32_t, 4>& element, std::size_t corn
   return face;
 }
 
-// Tissues of which one is in the mesh that is much softer.
+// Pairs of tissues in the mesh of which one is much softer.
 std::set<anatomy::TissueId> stiff_tissues(const anatomy::TetrahedralMesh& mesh, const ElasticMaterials& materials) {
   const std::set<anatomy::TissueId> all(mesh.tissues.begin(), mesh.tissues.end());
   double least = std::numeric_limits<double>::infinity();
@@ -45,8 +45,7 @@ std::set<anatomy::TissueId> stiff_tissues(const anatomy::TetrahedralMesh& mesh, 
   return stiff;
 }
 
-// Faces of elements of stiff tissues: those at the surface of the body that are free to move, and those on a tissue
-// that is much softer.
+// Faces of elements of stiff tissues: free ones at the surface of the body, and those on a much softer tissue.
 struct StiffFaces {
   std::vector<ElementFace> free, on_softer;
 };
@@ -95,7 +94,7 @@ StiffFaces faces_of_stiff_tissues(const anatomy::TetrahedralMesh& mesh, const El
   return faces;
 }
 
-// mm^2, out of its element, as long as the face is large.
+// mm^2, outward normal of the face, as long as its area.
 Vec3 area_of(const anatomy::TetrahedralMesh& mesh, const ElementFace& face) {
   const Vec3 &a = mesh.nodes[face.nodes[0]], &b = mesh.nodes[face.nodes[1]], &c = mesh.nodes[face.nodes[2]];
   const Vec3 area = 0.5 * (b - a).cross(c - a);
@@ -104,8 +103,8 @@ Vec3 area_of(const anatomy::TetrahedralMesh& mesh, const ElementFace& face) {
   return area.dot(a - middle) < 0.0 ? Vec3(-area) : area;
 }
 
-// By node: which way the surface of a stiff tissue looks there, at its nodes and at those up to `most_elements` below
-// it in the same tissue; zero elsewhere.
+// By node: direction of the surface of a stiff tissue, at its nodes and at those up to `most_elements` below it in
+// the same tissue; zero elsewhere.
 std::vector<Vec3> outwards(const anatomy::TetrahedralMesh& mesh, const std::vector<ElementFace>& surface) {
   std::vector<Vec3> found(mesh.nodes.size(), Vec3::Zero());
   std::set<anatomy::TissueId> at_surface;

@@ -9,14 +9,14 @@ namespace bodkin::fem {
 
 namespace {
 
-// Supernodes while they are being merged. Each begins as a fundamental one, a range of positions.
+// Supernodes during merging. Each begins as a fundamental one, a range of positions.
 struct MergeTree {
   std::vector<std::uint32_t> begin;    // supernodes + 1: first positions of the fundamental supernodes
   std::vector<std::uint32_t> parent;   // by supernode; no_parent for a root
-  std::vector<std::uint32_t> into;     // the supernode that it has become part of; itself while it is on its own
+  std::vector<std::uint32_t> into;     // the supernode into which it was merged; itself if not merged
   std::vector<std::uint64_t> columns;  // nodes
   std::vector<std::uint64_t> rows;     // nodes below
-  std::vector<double> zeros;           // blocks kept though they are zero
+  std::vector<double> zeros;           // blocks stored though they are zero
 
   std::size_t size() const { return parent.size(); }
   std::uint32_t find(std::uint32_t supernode) const {
@@ -25,8 +25,8 @@ struct MergeTree {
   }
 };
 
-// Ranges of columns with one structure: a column joins the one before it if it is its only child's parent and has
-// just one row less.
+// Ranges of columns with one structure: a column joins its predecessor if that is its only child and has just one row
+// more.
 MergeTree fundamental_supernodes(const EliminationTree& tree) {
   const auto nodes = static_cast<std::uint32_t>(tree.parent.size());
   std::vector<std::uint32_t> children(nodes, 0), supernode_of(nodes, 0);
@@ -78,15 +78,15 @@ void merge_supernodes(MergeTree& merge) {
   }
 }
 
-// The supernodes that are left, each after its subtrees, and those in the order that needs the smallest stack (Liu
-// 1986): the subtree comes first whose own peak stands highest above what it leaves behind.
+// The remaining supernodes, each after its subtrees, which are in the order that needs the smallest stack (Liu 1986):
+// first the subtree whose peak is highest above its remainder.
 std::vector<std::uint32_t> smallest_stack_order(const MergeTree& merge) {
   std::vector<std::vector<std::uint32_t>> children(merge.size());
   std::vector<double> peak(merge.size(), 0.0), left(merge.size(), 0.0);
   std::vector<std::uint32_t> roots;
   for (std::uint32_t s = 0; s < merge.size(); ++s) {
     if (merge.into[s] != s) continue;
-    auto& mine = children[s];  // complete: children have smaller names
+    auto& mine = children[s];  // complete: children have smaller numbers
     std::stable_sort(mine.begin(), mine.end(), [&peak, &left](std::uint32_t a, std::uint32_t b) {
       return peak[a] - left[a] > peak[b] - left[b];
     });
@@ -107,7 +107,7 @@ std::vector<std::uint32_t> smallest_stack_order(const MergeTree& merge) {
     return peak[a] - left[a] > peak[b] - left[b];
   });
   std::vector<std::uint32_t> order, waiting(roots);
-  while (!waiting.empty()) {  // parents before children, the last first; then turned round
+  while (!waiting.empty()) {  // parents before children, the last first; then reversed
     const std::uint32_t s = waiting.back();
     waiting.pop_back();
     order.push_back(s);
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> smallest_stack_order(const MergeTree& merge) {
   return order;
 }
 
-// Numbers the columns anew in the order of the merged supernodes.
+// Renumbers the columns in the order of the merged supernodes.
 void renumber(const MergeTree& merge, const std::vector<std::uint32_t>& supernode_order,
               const std::vector<std::uint32_t>& node_at, SymbolicFactor& result) {
   std::vector<std::vector<std::uint32_t>> parts(merge.size());
@@ -134,7 +134,7 @@ void renumber(const MergeTree& merge, const std::vector<std::uint32_t>& supernod
   }
 }
 
-// The rows of every supernode: its columns' own neighbours further on, and what its children hand to it.
+// The rows of every supernode: later neighbours of its columns, and rows from its children.
 void find_rows(const NodeGraph& graph, SymbolicFactor& result) {
   const auto nodes = static_cast<std::uint32_t>(result.order.size());
   std::vector<std::uint32_t> supernode_of(nodes), seen(nodes, no_parent);
@@ -167,7 +167,7 @@ void find_rows(const NodeGraph& graph, SymbolicFactor& result) {
 }
 
 void add_up(SymbolicFactor& result) {
-  std::vector<std::size_t> waiting;  // what the supernodes on the stack hold
+  std::vector<std::size_t> waiting;  // contents of the supernodes on the stack
   std::size_t held = 0;
   for (std::size_t s = 0; s < result.supernodes.size(); ++s) {
     Supernode& supernode = result.supernodes[s];

@@ -10,15 +10,15 @@
 
 namespace bodkin::fem {
 
-// Columns of the Cholesky factor that have the same rows below them, kept as one dense panel of 3 (columns + rows) by
-// 3 columns numbers.
+// Columns of the Cholesky factor with the same rows below them, stored as one dense panel of 3 (columns + rows) by 3
+// columns numbers.
 struct Supernode {
   std::uint32_t first = 0;     // its first column; all counts are in nodes, in the order of elimination
-  std::uint32_t columns = 0;   // how many
-  std::size_t rows_at = 0;     // where its rows begin in SymbolicFactor::rows
-  std::uint32_t rows = 0;      // how many, below its own columns
-  std::uint32_t children = 0;  // how many of the supernodes before it hand their updates to this one
-  std::size_t panel_at = 0;    // where its panel begins in the factor, in numbers
+  std::uint32_t columns = 0;   // their number
+  std::size_t rows_at = 0;     // start of its rows in SymbolicFactor::rows
+  std::uint32_t rows = 0;      // number of rows below its own columns
+  std::uint32_t children = 0;  // number of earlier supernodes that pass their updates to this one
+  std::size_t panel_at = 0;    // start of its panel in the factor, in numbers
 
   std::size_t height() const noexcept { return 3 * (std::size_t{columns} + rows); }
   std::size_t width() const noexcept { return 3 * std::size_t{columns}; }
@@ -28,12 +28,12 @@ struct Supernode {
     const double w = 3.0 * columns, below = 3.0 * rows;
     return w * w * w / 3.0 + w * w * below + w * below * below;
   }
-  // The update that it hands on: the lower triangle, packed by columns.
+  // Size of its update: the lower triangle, packed by columns.
   std::size_t update_size() const noexcept { return 3 * std::size_t{rows} * (3 * std::size_t{rows} + 1) / 2; }
 };
 
-// What a factorisation will look like, found from the graph alone: the supernodes in the order in which they are
-// eliminated, each directly after the subtrees of its children, and what memory and work they need.
+// The structure of a factorisation, found only from the graph: the supernodes in the order in which they are
+// eliminated, each directly after the subtrees of its children, and the memory and work that they need.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order;     // node eliminated k-th
   std::vector<std::uint32_t> position;  // of each node in `order`
@@ -42,12 +42,12 @@ struct SymbolicFactor {
   std::uint32_t last = 0;           // this many nodes come last, as one supernode of their own
   std::size_t blocks = 0;           // of the matrix
   std::size_t factor_size = 0;      // numbers in all panels
-  std::size_t largest_panel = 0;    // numbers, but for the panel of the last nodes
-  std::size_t stack_size = 0;       // numbers, the most that waits to be handed on at one time
+  std::size_t largest_panel = 0;    // numbers, excluding the panel of the last nodes
+  std::size_t stack_size = 0;       // numbers, the most that wait to be passed on at one time
   double operations = 0.0;          // multiplications and additions
 
   std::size_t last_size() const noexcept { return 9 * std::size_t{last} * last; }
-  // Bytes at the height of the factorisation and of what follows, the matrix with it and the inverse of the last
+  // Bytes at the peak of the factorisation and of later steps, including the matrix and the inverse of the last
   // panel; `keep_field`: all panels stay, not only that of the last nodes.
   std::size_t bytes(bool keep_field) const noexcept;
 };

@@ -21,18 +21,18 @@ constexpr int places_in_disk = 400;
 constexpr double edges_around = 2.0;  // of elements about the disk that are refined
 constexpr int most_levels = 7;
 
-// Edges by the disk's radius: of a mesh whose elements are cut no further, and of one that is taken as it is.
+// Edge over the disk's radius, of meshes below which elements are split no further, and of those used unchanged.
 constexpr double cut_down_to = 1.0, fine_enough = 0.35;
-// What is left to gain, by the last gain: after elements of second order have been cut once more, and after those of
-// first order have become of second. Against CalculiX (docs/contact-points.md): a disk then sinks 0.1 to 0.6 % less
-// than it should.
+// Remaining gain over the last gain: after a further split of second-order elements, and after first-order elements
+// have become second-order. Against CalculiX (docs/contact-points.md): a disk then sinks 0.1 to 0.6 % less than it
+// should.
 constexpr double rest_of_cutting = 1.0 / 3.0, rest_of_order = 1.0 / 4.0;
 
-constexpr double ball_of_element = 0.6;  // radius by edge, as soft as a barycentric point
+constexpr double ball_of_element = 0.6;  // radius over edge, as compliant as a barycentric point
 constexpr double least_gain = 0.01;
 constexpr int wave_directions = 1000;  // between along the fibres and across them
 
-// The places in the disk over which the force is spread: a sunflower's, each with the same area.
+// The points in the disk over which the force is spread: a sunflower pattern, each with the same area.
 Vec3 place_in(const TipDisk& disk, int i) {
   const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
   const double away = disk.radius * std::sqrt((i + 0.5) / places_in_disk);
@@ -40,7 +40,7 @@ Vec3 place_in(const TipDisk& disk, int i) {
   return disk.centre + away * (repeatable::cos(angle) * side + repeatable::sin(angle) * other);
 }
 
-// mm, mean over the elements that the disk lies in or next to; 0: it is outside the mesh.
+// mm, mean over the elements that contain or adjoin the disk; 0: it is outside the mesh.
 double edge_about(const anatomy::TetrahedralMesh& mesh, const TipDisk& disk, const PointFinder& finder) {
   std::map<std::uint32_t, double> met;
   for (int i = 0; i < places_in_disk; i += 16) {
@@ -53,8 +53,8 @@ double edge_about(const anatomy::TetrahedralMesh& mesh, const TipDisk& disk, con
   return met.empty() ? 0.0 : sum / static_cast<double>(met.size());
 }
 
-// The places of a disk as they lie in the mesh, those outside it on its surface: a patch of it finds them at once.
-// Nothing for one that does not move.
+// The points of a disk in the mesh, those outside it moved to its surface: a patch of the mesh finds them at once.
+// Nothing for an immobile disk.
 using DiskPlaces = std::vector<std::optional<Vec3>>;
 
 DiskPlaces in_mesh(const std::vector<PointInMesh>& places, const std::vector<Vec3>& nodes) {
@@ -68,7 +68,7 @@ DiskPlaces in_mesh(const std::vector<PointInMesh>& places, const std::vector<Vec
   return found;
 }
 
-// How the disk moves by forces on it, in a patch; nothing where the patch cannot be solved.
+// Compliance of the disk in a patch; nothing if the patch cannot be solved.
 std::optional<Mat3> compliance_in(const MeshPatch& patch, const ElasticMaterials& materials, const DiskPlaces& disk) {
   std::vector<std::uint32_t> held;
   for (std::uint32_t node = 0; node < patch.fixed.size(); ++node)
@@ -130,10 +130,10 @@ Mat3 refinement_gain(const MeshView& whole, const PointFinder& finder, const Ela
   return gain(patch, second_order) ? Mat3(gained + rest_of_order * last) : gained;
 }
 
-// The displacement by a force that varies as a wave with the normal n has the amplitude C(n)^-1 of the force's by the
-// square of the wave's number, C(n) the Christoffel tensor: C(n) v is the stress of the strain by v along n, on n. A
-// ball is a sum of waves that has as much in all directions, so that only the mean of C(n)^-1 remains of them. About
-// fibres C turns with n.
+// The displacement by a force that varies as a wave with the normal n has the amplitude C(n)^-1 of the force over the
+// square of the wave number, C(n) the Christoffel tensor: C(n) v is the stress of the strain by v along n, on n. A
+// ball is a sum of equal waves in all directions, so that only the mean of C(n)^-1 remains. About fibres C rotates
+// with n.
 Mat3 ball_compliance(const ElasticMaterial& material) noexcept {
   if (!material.has_fibres()) {
     const double nu = material.poisson, shear = material.young / (2.0 * (1.0 + nu));

@@ -71,7 +71,7 @@ CurveShape shape_of(const MeasuredCurve& curve, double contact, std::size_t yiel
   shape.contact = contact;
   const auto [shallow, deep] = std::minmax_element(curve.depth.begin(), curve.depth.end());
   const double nearly = *deep - 1e-3 * (*deep - *shallow);
-  std::size_t end = 0;  // the deepest point, before the needle rests there
+  std::size_t end = 0;  // the deepest point, before the needle's rest there
   while (curve.depth[end] < nearly) ++end;
   shape.end_depth = *deep;
   shape.end_force = std::max(0.0, mean_before(curve.force, end + 1));

@@ -13,22 +13,22 @@ namespace bodkin::study {
 
 namespace {
 
-constexpr double just_below = 1.0 - 1e-12;    // so that rounding does not put the yield off by a tick
+constexpr double just_below = 1.0 - 1e-12;    // so that rounding does not shift the yield by a tick
 constexpr std::size_t places_per_sample = 6;  // places tried between two samples
-constexpr double clear_fall = 8.0;            // times the noise: no other start is needed
-constexpr int first_steps = 12;               // of a start among others
+constexpr double clear_fall = 8.0;            // times the noise: then no other start is needed
+constexpr int first_steps = 12;               // of a start among several
 constexpr int steps_of_many = 20;             // of a start near a solution with several yields
-constexpr std::size_t most_moves = 3;         // of a yield that are tried in earnest
+constexpr std::size_t most_moves = 3;         // of a yield that are fully tried
 constexpr double layer_fall = 4.0;            // times the noise: the fall of a layer
 constexpr std::size_t most_falls = 40;
 constexpr std::size_t starts_by_layers = 24, least_starts = 3;
-constexpr double explained = 1.5;     // times the variance of the noise: no other start is needed
+constexpr double explained = 1.5;     // times the variance of the noise: then no other start is needed
 constexpr int rounds = 6;             // of moving each yield
-constexpr std::size_t reach = 18;     // places on either side that are tried at once
+constexpr std::size_t reach = 18;     // places on either side that are tried together
 constexpr std::size_t farthest = 60;  // places on either side of the yield that are tried
 
-// The best that the smooth parameters can do about residuals, to first order. Their slopes at a solution will do for
-// its neighbourhood: they change only between the two ticks.
+// The best fit of the residuals by the smooth parameters, to first order. Their slopes at a solution suffice for its
+// neighbourhood: they change only between the two ticks.
 YieldCandidate candidate(std::size_t tick, const Eigen::VectorXd& residuals,
                          const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& slope) {
   YieldCandidate result{tick, residuals.squaredNorm(), {}};
@@ -213,7 +213,7 @@ CurveSolution CurveSolver::improve(CurveSolution solution) const {
 
 std::vector<CurveSolver::YieldSamples> CurveSolver::starts_of_one(const std::vector<std::size_t>& falls) const {
   if (yields().empty()) return {{model_.yields.empty() || falls.empty() ? 0 : falls.front()}};
-  std::vector<YieldSamples> starts = {{0}};  // nothing gives direction
+  std::vector<YieldSamples> starts = {{0}};  // no direction is determined
   if (falls.empty()) return starts;
   const CurveShape steepest = shape_of(curve_, 0.0, falls.front());
   const bool clear = steepest.peak_force - steepest.after_force > clear_fall * noise_of(curve_);

@@ -20,7 +20,7 @@ constexpr double alpha = 0.05;               // 1 - confidence
 constexpr double flat = 1e-3;                // singular values below this share are noise
 constexpr double less_by = 1.0 - 1e-4;       // of the sum of squares: a better place, ...
 constexpr double less_of_many = 1.0 - 1e-3;  // ... where several yields make the search long
-constexpr std::size_t samples_to_spare = 5;  // more samples than parameters
+constexpr std::size_t samples_to_spare = 5;  // samples in excess of the parameters
 constexpr double usual_speed = 10.0;         // mm/s, where the speed does not matter
 constexpr double alike = 0.3;                // correlation of neighbouring residuals that is worth a note
 constexpr double late_contact = 1.0;         // mm between contact and the first force that is worth a note
@@ -39,7 +39,7 @@ double within_range(const FitModel& model, std::size_t place, double value, cons
   return value;
 }
 
-// What the user asks of the parameters.
+// The user's requests for the parameters.
 void apply(const FitRequest& request, const FitModel& model, CurveSolver& solver) {
   for (const FitParameter& one : model.parameters) {
     solver.looked_for.push_back(one.fitted);
@@ -87,11 +87,11 @@ std::vector<bool> counting(const MeasuredCurve& curve, const FitRequest& request
   return counts;
 }
 
-// Of a stack of `tracking_wall`: each layer's force begins with the median of what was measured in its deeper half on
-// the way in. From a force that is never reached there is no slope to follow.
+// Of a stack of `tracking_wall`: each layer's force begins with the median measured in its deeper half on the way in.
+// A force that is never reached gives no slope.
 void begin_layers(const MeasuredCurve& curve, const FitModel& model, FitRequest& request) {
   if (request.model != "tracking_wall") return;
-  constexpr double least = 0.01;  // N, where the middle of a layer measured nothing
+  constexpr double least = 0.01;  // N, if the middle of a layer has no samples
   const double deepest = *std::max_element(curve.depth.begin(), curve.depth.end());
   for (std::size_t layer = 0; layer < request.layers.size(); ++layer) {
     const std::string name = fmt::format("force_{}", layer + 1);
@@ -111,7 +111,7 @@ void begin_layers(const MeasuredCurve& curve, const FitModel& model, FitRequest&
   }
 }
 
-// Fits, drops the parameters that the data do not determine, and estimates the uncertainty of the rest.
+// Fits, drops the undetermined parameters, and estimates the uncertainty of the rest.
 class Estimation {
  public:
   Estimation(const FitModel& model, CurveSolver& solver) : model_(model), solver_(solver) {
@@ -147,7 +147,7 @@ class Estimation {
   std::vector<FittedParameter>& parameters() noexcept { return parameters_; }
 
  private:
-  // Smooth parameters that are looked for and lie within their bounds.
+  // Smooth fitted parameters that lie within their bounds.
   void find_active() {
     active_.clear();
     for (const std::size_t i : solver_.smooth()) {
@@ -193,7 +193,7 @@ class Estimation {
                             model_.parameters[yield].unit));
   }
 
-  // False when a parameter turned out to be undetermined and the rest has to be fitted again.
+  // False if a parameter proved undetermined and the rest must be fitted again.
   bool find_intervals(const Eigen::MatrixXd& slope) {
     const std::vector<std::size_t> yields = solver_.yields();
     const std::size_t estimated = active_.size() + yields.size();
@@ -250,7 +250,7 @@ class Estimation {
       one.standard_error = std::sqrt(covariance(row, row));
       const auto place =
           static_cast<std::size_t>(std::find(smooth.begin(), smooth.end(), active_[a]) - smooth.begin());
-      double down = 0.0, up = 0.0;  // what other places of the yields would shift
+      double down = 0.0, up = 0.0;  // effect of other places of the yields
       for (const std::vector<YieldCandidate>& of_one : others) {
         double lowest = 0.0, highest = 0.0;
         for (const YieldCandidate& other : of_one) {
@@ -266,7 +266,7 @@ class Estimation {
     }
   }
 
-  // The value of the last tick before the one that gives way does not suffice, that of the tick itself does.
+  // The value at the last tick before the yield does not suffice, that at the yield's tick does.
   void yield_interval(std::size_t which, const Eigen::MatrixXd& covariance, double quantile,
                       const std::vector<YieldCandidate>& others, bool bounded) {
     const std::size_t yield = model_.yields[which];
@@ -296,7 +296,7 @@ class Estimation {
     for (const YieldCandidate& other : others) include(other.tick, other.shift);
     one.low = std::max(one.low, solver_.low[yield]);
     one.high = std::min(one.high, solver_.high[yield]);
-    if (!bounded) one.remark = "the data hardly tell where the tissue gives way";
+    if (!bounded) one.remark = "the data hardly determine where the tissue gives way";
   }
 
   const FitModel& model_;
@@ -419,7 +419,7 @@ ModelChoice choose_model(std::span<const MeasuredCurve> curves, const FitRequest
   for (const FitModel& model : fit_models()) {
     FitRequest one = request;
     one.model = model.name;
-    if (!has_layers(model.name)) one.layers.clear();
+    if (model.stack == nullptr) one.layers.clear();
     try {
       choice.fits.push_back(fit_curves(curves, one));
     } catch (const InputError& error) {

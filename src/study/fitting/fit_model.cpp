@@ -24,33 +24,15 @@ const FitModel& fit_model(std::string_view name) {
   throw InputError(fmt::format("the model is {}, expected one of {}", io::in_quotes(name), names));
 }
 
-namespace {
-
-using Stack = FitModel (*)(std::span<const double>);
-
-Stack stack_of(std::string_view name) {
-  return name == "tracking_wall"    ? tracking_wall_stack_fit
-         : name == "depth_profile"  ? depth_profile_stack_fit
-         : name == "layered"        ? layered_stack_fit
-         : name == "shaft_friction" ? shaft_friction_stack_fit
-                                    : Stack{nullptr};
-}
-
-}  // namespace
-
-bool has_layers(std::string_view name) {
-  return stack_of(name) != nullptr;
-}
-
 FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   constexpr std::size_t most = 30;
-  const Stack stack = stack_of(fit_model(name).name);
-  if (stack == nullptr) {
+  const FitModel& one_tissue = fit_model(name);
+  if (one_tissue.stack == nullptr) {
     std::string names;
     for (const FitModel& model : fit_models())
-      if (has_layers(model.name)) names += fmt::format("{}{}", names.empty() ? "" : ", ", model.name);
+      if (model.stack != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", model.name);
     throw InputError(
-        fmt::format("--layers is for one of {}, not {}; it knows one tissue and no layers", names, name));
+        fmt::format("--layers is for one of {}, not {}, which has one tissue and no layers", names, name));
   }
   if (tops.front() != 0.0)
     throw InputError(fmt::format("--layers begins at {:g} mm, expected 0, the skin, first", tops.front()));
@@ -61,7 +43,7 @@ FitModel fit_stack(std::string_view name, std::span<const double> tops) {
   }
   if (tops.size() > most)
     throw InputError(fmt::format("--layers has {} depths, expected at most {}", tops.size(), most));
-  return stack(tops);
+  return one_tissue.stack(tops);
 }
 
 }  // namespace bodkin::study

@@ -15,17 +15,17 @@ namespace bodkin::study {
 struct FitParameter {
   std::string name;
   std::string unit;
-  double low = 0.0, high = 0.0;  // what the fit looks through: the model's own range or a part of it
-  double usual = 0.0;            // value where nothing better is known; also its size for scaling, if the guess is 0
-  bool fitted = true;            // false: kept unless the user frees it
+  double low = 0.0, high = 0.0;  // range searched by the fit: the model's own range or a part of it
+  double usual = 0.0;            // value if nothing better is known; also its size for scaling, if the guess is 0
+  bool fitted = true;            // false: fixed unless the user frees it
 };
 
-// In what a parameter of a fit differs from its declaration in the model's table of parameters.
+// The differences of a parameter of a fit from its declaration in the model's parameter table.
 struct FitDifference {
   std::string_view name;        // empty: the declared name without its unit
   std::optional<double> usual;  // instead of the declared default
   double least = -unbounded,
-         most = unbounded;  // both included; the part of the declared range that is looked through
+         most = unbounded;  // both included; the searched part of the declared range
   bool fitted = true;
 };
 

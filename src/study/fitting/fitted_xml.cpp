@@ -18,7 +18,7 @@ void write(const io::XmlElement& element, io::XmlWriter& writer) {
   writer.close();
 }
 
-// Where the numbers come from, for people.
+// The origin of the numbers, for people.
 std::string source_of(const CurveFit& fit, const MeasuredCurve& curve) {
   std::string kept;
   for (const FittedParameter& one : fit.parameters) {

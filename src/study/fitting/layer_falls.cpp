@@ -7,7 +7,7 @@ namespace bodkin::study {
 
 namespace {
 
-// Whether each fall can have a layer of its own: the k-th of those that have met the fewest layers has met k.
+// Whether each fall can have its own layer: sorted by the layers met, the k-th has met at least k.
 bool have_layers(std::vector<LayerFall> falls, std::size_t layers) {
   std::sort(falls.begin(), falls.end(), [](const auto& a, const auto& b) { return a.layers < b.layers; });
   for (std::size_t i = 0; i < falls.size(); ++i)
@@ -15,7 +15,7 @@ bool have_layers(std::vector<LayerFall> falls, std::size_t layers) {
   return true;
 }
 
-// The next choice of as many of `layers` layers, rising; false after the last one.
+// The next choice of as many of `layers` layers, ascending; false after the last one.
 bool next_choice(std::vector<std::size_t>& chosen, std::size_t layers) {
   for (std::size_t i = chosen.size(); i-- > 0;) {
     if (chosen[i] + (chosen.size() - i) >= layers) continue;

@@ -17,7 +17,7 @@ namespace {
 constexpr double rigid_device = 1e12;  // N/mm: nothing is softened for the sake of a device
 constexpr double beyond = 2.0;         // mm of known tissue beyond the deepest point
 
-// The force of `layered` along tissues that `tissue_at` names by their depth, known in steps of `layer` mm.
+// The force of `layered` along the tissues of `tissue_at` by depth, known in steps of `layer` mm.
 template <typename TissueAt>
 void simulate_line(const std::vector<anatomy::TissueProperties>& tissues, double layer, double contact,
                    const NeedleHistory& history, std::span<double> force, TissueAt tissue_at) {
@@ -56,8 +56,8 @@ io::XmlElement layered_element(const Tissue& one) {
   return element;
 }
 
-// A tissue's numbers are above 0, a fit's range includes its end; and a tissue without a number has none by default,
-// which has no size.
+// A tissue's numbers are above 0, but a fit's range includes its end; and a missing number has no default to take a
+// scale from.
 FitParameter stiffness_parameter() {
   return fit_parameter(&Tissue::stiffness, {.usual = 0.05, .least = 1e-6});
 }
@@ -71,7 +71,7 @@ FitParameter shaft_stiffness_parameter() {
 FitParameter static_ratio_parameter() {
   return {.name = "static_ratio", .low = 1.0, .high = 2.0, .usual = 1.2, .fitted = false};
 }
-// Half of what a tissue may have, for its static friction is up to twice as large.
+// Half of a tissue's limit, because its static friction is up to twice as large.
 FitParameter dynamic_friction_parameter() {
   const double most = fit_parameter(&Tissue::static_friction).high / static_ratio_parameter().high;
   return fit_parameter(&Tissue::dynamic_friction, {.usual = 0.02, .most = most});
@@ -233,7 +233,8 @@ FitModel layered_fit() {
           .simulate = layered::simulate,
           .yields_in = layered::yields_in,
           .guess = layered::guess,
-          .elements = layered::elements};
+          .elements = layered::elements,
+          .stack = layered_stack_fit};
 }
 
 FitModel layered_stack_fit(std::span<const double> tops) {
@@ -260,7 +261,7 @@ FitModel layered_stack_fit(std::span<const double> tops) {
   add_for_layers(model, n, break_force_parameter());
   add_for_layers(model, n, dynamic_friction_parameter());
   model.parameters.push_back({"shaft_ratio", "1/mm", 0.01, 1000.0, 1.5});
-  // What the stiffest tissue may have.
+  // The limit of the stiffest tissue.
   model.parameters.push_back(
       {"viscosity_ratio", "s", 0.0, viscosity_parameter().high / stiffness_parameter().high, 0.02});
   model.parameters.push_back(fit_parameter(&Tissue::element_spacing, {.fitted = false}));

@@ -15,7 +15,7 @@ namespace bodkin::study {
 namespace {
 
 constexpr double difference_step = 1e-5;  // of a scale
-constexpr double silent_column = 1e-9;    // a column this small against the largest, per scale, is zero
+constexpr double silent_column = 1e-9;    // a column this small against the largest, by scale, counts as zero
 constexpr double takes_part = 0.1;        // share of a direction's largest component that counts
 
 // The problem with every parameter divided by its scale.
@@ -90,7 +90,7 @@ Eigen::MatrixXd jacobian(const LeastSquaresProblem& problem, const std::vector<d
     problem.residuals(up, above);
     problem.residuals(down, below);
     for (std::size_t i = 0; i < problem.samples; ++i) {
-      // Where the residual jumps on one side, the other side has the slope.
+      // If the residual jumps on one side, the slope is taken from the other.
       double slope = 0.0;
       if (width_up > 0.0) slope = (above[i] - here[i]) / width_up;
       if (width_down > 0.0) {

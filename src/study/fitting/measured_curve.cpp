@@ -33,7 +33,7 @@ struct Column {
 };
 constexpr std::array<Column, 3> columns = {{{"time_s", "time"}, {"depth_mm", "depth"}, {"force_N", "force"}}};
 
-// The separator of the first line that is not a comment: of the three, the one that stands in it.
+// The separator of the first non-comment line: the one of the three that occurs in it.
 char separator_of(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -49,7 +49,7 @@ char separator_of(std::string_view text) {
   return ',';
 }
 
-// Which of `columns` each column of the table is.
+// For each column of the table its index in `columns`.
 std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string& origin,
                                     std::optional<double> speed) {
   std::vector<std::size_t> order;
@@ -69,7 +69,7 @@ std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string&
     }
     const auto place = static_cast<std::size_t>(same - columns.begin());
     if (std::find(order.begin(), order.end(), place) != order.end())
-      io::fail_at(origin, header.line, fmt::format("the column {} stands there twice", field));
+      io::fail_at(origin, header.line, fmt::format("the column {} appears twice", field));
     order.push_back(place);
   }
   const auto has = [&](std::size_t place) { return std::find(order.begin(), order.end(), place) != order.end(); };
@@ -78,7 +78,7 @@ std::vector<std::size_t> columns_of(const io::CsvRow& header, const std::string&
     io::fail_at(
         origin, header.line,
         "there is no column depth_mm, so that the forces belong to no place; give the depth of every sample, or "
-        "--speed, the needle's mm/s, for one even insertion that begins at the skin");
+        "--speed, the needle's mm/s, for one insertion at this speed that begins at the skin");
   }
   for (const std::size_t needed : {std::size_t{1}, std::size_t{2}}) {
     if (!has(needed))
@@ -105,7 +105,7 @@ void check_units(const MeasuredCurve& curve) {
   const double travel = *deep - *shallow;
   if (travel < least_travel) {
     throw InputError(
-        fmt::format("{}: the depths lie within {:.3g} mm, which is no insertion; depth_mm is expected in "
+        fmt::format("{}: the depths lie within {:.3g} mm, which is not an insertion; depth_mm is expected in "
                     "millimetres, perhaps these are metres or inches",
                     curve.name, travel));
   }

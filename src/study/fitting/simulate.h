@@ -28,23 +28,23 @@ void simulate_axial(const NeedleHistory& history, double contact, std::span<doub
   }
 }
 
-// The force at a depth (mm, taken as 0.01 at least) of Voigt's cubic law with a stiffness of 1 N/mm: for the
-// stiffness that a force at a depth implies.
+// The force at a depth (mm, at least 0.01) of Voigt's cubic law with a stiffness of 1 N/mm: for the stiffness implied
+// by a force at a depth.
 double cubic_per_stiffness(double spacing, double depth);
 
 inline constexpr anatomy::TissueId first_layer = 32;  // ids of a stack's tissues, free in the engine
 
 // A value for each layer, as parameters `name_1`, `name_2` ...
 void add_for_layers(FitModel& model, std::size_t layers, const FitParameter& one);
-// Friction of a shaft in tissue, where nothing better is known: the tables' default is none, which has no size.
+// Friction of a shaft in tissue, if nothing better is known: the tables' default is none, which has no scale.
 inline const anatomy::KarnoppFriction usual_friction = anatomy::ThreeComponentSettings{}.inwards;
 
-// Depth at which the needle meets the tissue: no setting of a model, for a case has its skin there.
+// Depth at which the needle meets the tissue: not a setting of a model, because a case has its skin there.
 FitParameter contact_parameter();
-// Where each layer begins, as parameters `from_1`, `from_2` ..., always kept.
+// The top of each layer, as parameters `from_1`, `from_2` ..., always fixed.
 void add_tops(FitModel& model, std::span<const double> tops);
 
-// The highest `limit_N` that a model's settings allow, N: a limit of the device would bend the curve of the tissue.
+// The highest `limit_N` allowed by a model's settings, N: a device's limit would distort the curve of the tissue.
 template <Parameterized Settings>
 double no_limit() {
   return fit_parameter(&Settings::limit).high;

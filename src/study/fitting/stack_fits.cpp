@@ -110,7 +110,7 @@ double of_all(std::span<const double> p, std::size_t which) {
   return p[layers(p) + which];
 }
 
-// A product that a tissue library may hold.
+// A product within the limits of a tissue library.
 double declared(double Tissue::*member, double value) {
   const FitParameter parameter = fit_parameter(member);
   return std::clamp(value, parameter.low, parameter.high);
@@ -175,7 +175,7 @@ FitModel depth_profile_stack_fit(std::span<const double> tops) {
   add_for_layers(model, tops.size(), fit_parameter(&profile_stack::Tissue::stiffness));
   model.parameters.push_back(fit_parameter(&profile_stack::Settings::trailing));
   model.parameters.push_back(contact_parameter());
-  // A layer is thin: its stiffness and the change of it are hardly told apart.
+  // A layer is thin: its stiffness and the change of it are hardly separable.
   add_for_layers(model, tops.size(), fit_parameter(&profile_stack::Tissue::slope, {.fitted = false}));
   add_tops(model, tops);
   return model;

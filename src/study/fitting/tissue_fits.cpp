@@ -37,7 +37,7 @@ Settings settings_of(std::span<const double> p) {
   settings.puncture_force = p[puncture_force];
   settings.cutting_force = std::min(p[cutting_force], p[puncture_force]);
   settings.cutting_stiffness = p[cutting_stiffness];
-  // At rest friction holds with at least what it slides with.
+  // Static friction is at least the sliding friction.
   settings.inwards = {p[coulomb_in], p[viscous_in], std::max(p[coulomb_in], settings.inwards.static_force)};
   settings.outwards = {p[coulomb_out], p[viscous_out], std::max(p[coulomb_out], settings.outwards.static_force)};
   settings.hold = p[hold];
@@ -229,7 +229,8 @@ FitModel shaft_friction_fit() {
       .needs_time = true,
       .simulate = friction::simulate,
       .guess = friction::guess,
-      .elements = friction::elements};
+      .elements = friction::elements,
+      .stack = shaft_friction_stack_fit};
 }
 
 }  // namespace bodkin::study

@@ -46,11 +46,11 @@ using Settings = anatomy::TrackingWallSettings;
 using Tissue = anatomy::TrackingWallTissue;
 using DepthLayer = anatomy::TrackingWallDepthLayer;
 
-// The wall's force has no size by default: a tissue without a number resists with nothing.
+// The wall's force has no default scale: a tissue without a number does not resist.
 FitParameter force() {
   return fit_parameter(&Tissue::force, {.usual = 1.0});
 }
-// A setting may be infinite. The solver needs an end, and no curve of 600 s tells longer times apart.
+// A setting may be infinite. The solver needs a bound, and no curve of 600 s distinguishes longer times.
 FitParameter catch_up() {
   return fit_parameter(&Settings::catch_up, {.most = 1000.0});
 }
@@ -228,7 +228,8 @@ FitModel tracking_wall_fit() {
           .contact = tracking::contact,
           .simulate = tracking::simulate,
           .guess = tracking::guess,
-          .elements = tracking::elements};
+          .elements = tracking::elements,
+          .stack = tracking_wall_stack_fit};
 }
 
 FitModel tracking_wall_stack_fit(std::span<const double> tops) {
@@ -256,7 +257,8 @@ FitModel depth_profile_fit() {
           .simulate = profile::simulate,
           .yields_in = profile::yields_in,
           .guess = profile::guess,
-          .elements = profile::elements};
+          .elements = profile::elements,
+          .stack = depth_profile_stack_fit};
 }
 
 }  // namespace bodkin::study

@@ -1,4 +1,4 @@
-// The thread of a moving body. Tests wait for it by looking, for at most some seconds.
+// The thread of a moving body. Tests poll it for at most some seconds.
 #include "fem/moving/body_thread.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Pose probe_down(double depth) {
   return pose;
 }
 
-// Time goes on until `done` says so.
+// Advances time until `done`.
 template <typename Done>
 bool runs_until(BodyThread& moving, double& time, const Done& done) {
   for (int look = 0; look < 20000; ++look) {
@@ -73,7 +73,7 @@ TEST(BodyThread, follows_the_probe_and_tells_picture_and_needle_the_same) {
   EXPECT_GT(picture.on_probe.force.z(), 0.05);
   EXPECT_LT(*std::min_element(picture.displacements.begin(), picture.displacements.end()), -5.9F);
   EXPECT_EQ(moving.motion()->read().moved, picture.displacements);
-  // Away again: back to where it was.
+  // Withdrawn: back to its original place.
   moving.move_probe(std::nullopt);
   const std::uint64_t before = moving.snapshot().steps;
   ASSERT_TRUE(runs_until(moving, time, [before](const BodySnapshot& now) { return now.steps > before + 150; }));
@@ -96,7 +96,7 @@ TEST(BodyThread, a_needle_in_the_hand_is_felt_by_the_probe) {
   ASSERT_TRUE(settle(alone));
   ASSERT_TRUE(settle(pushed));
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // no step comes any more
-  // Both rest in the same place: steps that are many more bring nothing new.
+  // Both rest in the same place: many further steps change nothing.
   EXPECT_LT((pushed.snapshot().on_probe.force - alone.snapshot().on_probe.force - by_needle.force).norm(), 0.01);
   const ProbeReading& reading = pushed.reading();
   EXPECT_EQ(reading.by_needle.force, by_needle.force);
@@ -110,7 +110,7 @@ TEST(BodyThread, a_needle_in_the_hand_is_felt_by_the_probe) {
               static_cast<double>(field.held_count);
   const Vec3 torque = by_needle.torque + (middle - probe_down(6.0).translation()).cross(by_needle.force);
   EXPECT_LT((reading.by_needle.torque - torque).norm(), 1e-4);
-  // Lifted, there is nothing to push.
+  // Lifted: no contact.
   pushed.move_probe(std::nullopt);
   const std::uint64_t before = pushed.snapshot().steps;
   ASSERT_TRUE(runs_until(pushed, time, [before](const BodySnapshot& now) { return now.steps > before + 5; }));

@@ -13,7 +13,7 @@ namespace bodkin {
 using namespace bodkin::fem;
 namespace {
 
-// The matrix of a box at rest, some of its nodes held, and what the sweeps and the solver say of it.
+// The matrix of a box at rest, some of its nodes held, and results of the sweeps and the solver.
 struct System {
   System() : body(lattice_body(5, 40.0, 0.2, 10)), matrix(body.mesh), count(matrix.nodes()) {
     CorotationalElements elements(body.mesh, body.materials);
@@ -113,7 +113,7 @@ TEST(ConjugateGradients, finds_what_a_dense_factorisation_finds_whatever_it_begi
     x.setZero();
     EXPECT_LT(gradients.solve(system.matrix, scale * right, {1e-6, 1000}, x), 60);
     EXPECT_LT((x - scale * expected).norm(), 1e-5 * scale * expected.norm());
-    // From there on, again: what single precision has left over.
+    // Again from there: the residual of single precision.
     gradients.solve(system.matrix, scale * right, {1e-5, 1000}, x);
     EXPECT_LT((x - scale * expected).norm(), 1e-8 * scale * expected.norm());
     EXPECT_LE(gradients.solve(system.matrix, scale * right, {0.5, 1000}, x), 1);

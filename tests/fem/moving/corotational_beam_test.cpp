@@ -1,4 +1,4 @@
-// A cantilever that bends far, against the elastica.
+// A cantilever with large deflection, against the elastica.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -16,8 +16,8 @@ using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 namespace {
 
-// Where the tip of an inextensible bar of length 1, held at one end, goes by a force across it that keeps its
-// direction: theta'' = -force cos(theta), theta(0) = 0, theta'(1) = 0. By shooting with Runge and Kutta's method.
+// Tip of an inextensible bar of length 1, held at one end, under a transverse force of constant direction: theta'' =
+// -force cos(theta), theta(0) = 0, theta'(1) = 0. By shooting with Runge and Kutta's method.
 struct Elastica {
   double along = 0.0, across = 0.0;
 };
@@ -104,7 +104,7 @@ TEST(CorotationalBeam, bends_to_the_elastica_as_it_is_refined) {
     EXPECT_GT(expected.across - middle.across, 2.5 * (expected.across - fine.across));
     EXPECT_NEAR(fine.across, expected.across, 0.07 * expected.across) << load;
     EXPECT_NEAR(fine.along, expected.along, 0.14 * expected.along) << load;
-    // Extrapolated to cells of no size.
+    // Extrapolated to zero cell size.
     EXPECT_NEAR(fine.across + (fine.across - middle.across) / 3.0, expected.across, 0.02 * expected.across) << load;
     EXPECT_NEAR(fine.along + (fine.along - middle.along) / 3.0, expected.along, 0.04 * expected.along) << load;
   }

@@ -168,7 +168,7 @@ TEST(CorotationalBody, steps_that_are_solved_loosely_go_where_exact_ones_go) {
   EXPECT_LT((loose.places() - exact.places()).colwise().norm().maxCoeff(), 0.02);  // once it is held
 }
 
-// A body that is bent and jolted, and let go.
+// A body bent, jolted, and released.
 void jolt(CorotationalBody& body, double by, std::uint64_t seed) {
   Random random(seed);
   Eigen::Matrix3Xd places = body.places().topRows<3>();
@@ -374,7 +374,7 @@ TEST(CorotationalBody, refuses_settings_out_of_range_and_bodies_that_are_none) {
   EXPECT_THROW(CorotationalBody(loose, CorotationalSettings{}), InputError);
 }
 
-// Its law has no fibres: it would be softer along them than the body that a needle meets.
+// Its law has no fibres: it would be softer along them than the needle's body.
 TEST(CorotationalBody, refuses_a_tissue_with_fibres) {
   BodyDescription body = lattice_body(4, 40.0, 0.1, 10);
   const TissueId tissue = body.mesh.tissues.front();
@@ -389,7 +389,7 @@ TEST(CorotationalBody, refuses_a_tissue_with_fibres) {
     const CorotationalBody moving(body, CorotationalSettings{});
     ADD_FAILURE() << "it was made";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("has fibres, which a body that moves by itself does not know"));
+    EXPECT_THAT(error.what(), HasSubstr("has fibres, which a moving body does not support"));
     EXPECT_THAT(error.what(), HasSubstr("without --body moving"));
   }
 }

@@ -31,7 +31,7 @@ Pose probe_at_side(double depth) {
   return pose;
 }
 
-// A press of a hundredth of an edge is what linear elasticity says of the same nodes moved.
+// A press of a hundredth of an edge agrees with linear elasticity for the same moved nodes.
 TEST(DeformableBodySolver, a_slight_press_moves_the_body_as_linear_elasticity_says) {
   BodySolverSettings settings;
   settings.motion.dt = 0.0;
@@ -69,7 +69,7 @@ TEST(DeformableBodySolver, a_slight_press_moves_the_body_as_linear_elasticity_sa
       by_how_much.push_back(by[axis]);
     }
   }
-  // Of the nodes under the probe some may be fixed: they have no row.
+  // Some nodes under the probe may be fixed: they have no row.
   ASSERT_GT(rows.size(), 12U);
   const auto count = static_cast<Eigen::Index>(by_how_much.size());
   const Eigen::VectorXd moved = Eigen::Map<const Eigen::VectorXd>(by_how_much.data(), count);

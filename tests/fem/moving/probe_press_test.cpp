@@ -79,7 +79,7 @@ TEST(ProbePress, pushes_and_its_force_is_that_of_what_holds_the_body) {
     for (int step = 0; step < 25; ++step) {
       press.press(face_down(20.0, 40.0 - depth), moving);
       moving.step();
-      press.let_go_what_is_pulled(moving);
+      press.release_pulled_nodes(moving);
     }
     ASSERT_GT(press.held(), 8U);
     const Wrench felt = press.on_probe(moving);
@@ -109,7 +109,7 @@ TEST(ProbePress, never_pulls) {
     for (int step = 1; step <= steps; ++step) {
       press.press(face_down(20.0, from + (to - from) * step / steps), moving);
       ASSERT_FALSE(moving.step().fault);
-      press.let_go_what_is_pulled(moving);
+      press.release_pulled_nodes(moving);
       ASSERT_GE(press.on_probe(moving).force.z(), -1e-6 * static_cast<double>(press.held()));
     }
   };
@@ -131,7 +131,7 @@ TEST(ProbePress, a_leaning_face_lets_go_on_the_side_that_would_be_pulled) {
     for (int step = 0; step < 30; ++step) {
       press.press(pose, moving);
       moving.step();
-      press.let_go_what_is_pulled(moving);
+      press.release_pulled_nodes(moving);
     }
   };
   settle(face_down(20.0, 38.5));
@@ -180,7 +180,7 @@ TEST(ProbePress, a_pose_that_is_none_lifts_the_probe) {
   }
   const RealTimeGuard guard;
   press.press(face_down(20.0, 38.0), moving);
-  press.let_go_what_is_pulled(moving);
+  press.release_pulled_nodes(moving);
   press.lift(moving);
   if (RealTimeGuard::available()) {
     EXPECT_EQ(RealTimeGuard::heap_calls(), 0U);

@@ -6,7 +6,7 @@ namespace bodkin::checks {
 
 using namespace bodkin::fem;
 
-// A body without time, whose steps are solved nearly exactly.
+// A static body, whose steps are solved nearly exactly.
 inline CorotationalSettings to_rest() {
   CorotationalSettings settings;
   settings.dt = 0.0;
@@ -14,7 +14,7 @@ inline CorotationalSettings to_rest() {
   return settings;
 }
 
-// Steps until no free node is out of balance by more than `balance` N; how many it took.
+// Steps until the imbalance of every free node is at most `balance` N; returns their number.
 inline int settle(CorotationalBody& body, double balance, int most_steps = 200) {
   for (int step = 1; step <= most_steps; ++step) {
     const CorotationalStep& told = body.step();

@@ -1,5 +1,5 @@
-// Needles that were left in a body which moves: force and energy by their definition, and for small displacements the
-// equations that a needle in a body at rest is given.
+// Left needles in a moving body: force and energy by their definition, and for small displacements the equations of a
+// body at rest.
 #include "fem/moving/rigid_needles.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ TEST(RigidNeedles, the_force_is_the_slope_of_the_energy_and_the_stiffness_no_les
         bound += 0.5 * diagonal[static_cast<std::size_t>(node)] * moved.col(node).squaredNorm();
       EXPECT_LE(energy_at(needles, places + moved, unused), bound + 1e-9 * std::abs(bound));
     }
-    // Nothing but the tissue holds a needle.
+    // Only the tissue holds a needle.
     Vec3 sum = Vec3::Zero(), torque = Vec3::Zero();
     for (Eigen::Index node = 0; node < forces.cols(); ++node) {
       sum += forces.col(node).head<3>();
@@ -99,7 +99,7 @@ TEST(RigidNeedles, the_force_is_the_slope_of_the_energy_and_the_stiffness_no_les
   }
 }
 
-// A small force moves another node as the compliance does that a needle in a body at rest is given (BoundPoints).
+// A small force moves another node according to the compliance of a body at rest (BoundPoints).
 TEST(RigidNeedles, small_displacements_are_those_of_the_equations_of_a_needle_in_the_hand) {
   const BodyDescription& box = box_with_needles();
   const ContactBody whole(std::make_shared<const BodyDescription>(box));

@@ -1,4 +1,4 @@
-// A body comes out with the same bits whatever it is computed on.
+// A body has the same bits on any processor.
 #include "fem/solid/body_digests.h"
 
 #include <cmath>
@@ -20,14 +20,14 @@ namespace {
 
 constexpr double lattice_side = 60.0;  // mm
 
-std::vector<NeedleStation> stations_of_lattice() {
-  std::vector<NeedleStation> stations;
+std::vector<ContactSite> sites_of_lattice() {
+  std::vector<ContactSite> sites;
   for (int depth = 0; depth <= 20; ++depth) {
     const bool border = depth == 0 || depth == 10;
-    stations.push_back({Vec3(28.7, 31.3, lattice_side - depth), 1.0 * depth,
-                        depth < 10 ? tissue::skin : tissue::ligamentum_flavum, border, border});
+    sites.push_back({Vec3(28.7, 31.3, lattice_side - depth), 1.0 * depth,
+                     depth < 10 ? tissue::skin : tissue::ligamentum_flavum, border, border});
   }
-  return stations;
+  return sites;
 }
 
 // Of the factor, and of the contact points.
@@ -35,7 +35,7 @@ std::pair<std::uint64_t, std::uint64_t> digests_with(const std::shared_ptr<const
                                                      const FactorOptions& options) {
   const ContactBody contact(body, options);
   return {digest_of(contact.factor()),
-          digest_of(contact.contact_points(stations_of_lattice(), -Vec3::UnitZ(), 1.0, options.threads))};
+          digest_of(contact.contact_points(sites_of_lattice(), -Vec3::UnitZ(), 1.0, options.threads))};
 }
 
 TEST(BodyDigests, are_the_same_with_every_instruction_set_and_number_of_threads) {

@@ -1,5 +1,5 @@
-// A needle that is pushed and drawn at any speed beside needles that were left and nodes that a probe holds never
-// gives back more than went in.
+// A needle pushed and withdrawn at any speed beside left needles and nodes held by a probe never returns more energy
+// than was put in.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -23,18 +23,18 @@ namespace {
 constexpr double skin_height = 28.0;  // mm
 const Vec3 entry_beside_needles(17.0, 15.0, skin_height);
 
-// Skin, muscle and a ligament 10 mm deep, in three ways of being bound.
+// Skin, muscle and a ligament 10 mm deep, bound in three ways.
 std::vector<CondensedBody> bodies_bound_and_not() {
   BodyDescription block;
   block.mesh = kuhn_box({7, 6, 6}, Vec3(36.0, 30.0, skin_height), 0.2, 3);
   block.materials.set(tissue::soft, {0.05, 0.3});
   block.fixed = nodes_beyond(block.mesh, Vec3::Zero(), Vec3(0.0, 0.0, -1.0));
   const ContactBody body(std::make_shared<const BodyDescription>(block));
-  std::vector<NeedleStation> stations;
+  std::vector<ContactSite> sites;
   for (int depth = 0; depth <= 20; ++depth) {
     const bool border = depth == 0 || depth == 2 || depth == 10;
     const TissueId tissue = depth < 2 ? tissue::skin : depth < 10 ? tissue::muscle : tissue::ligamentum_flavum;
-    stations.push_back(
+    sites.push_back(
         {entry_beside_needles - depth * Vec3::UnitZ(), 1.0 * depth, tissue, border, depth == 0 || depth == 10});
   }
   const std::vector<NeedlePath> left = {{Vec3(18.5, 15.0, skin_height), Vec3(18.0, 15.5, 6.0)},
@@ -46,7 +46,7 @@ std::vector<CondensedBody> bodies_bound_and_not() {
   }
   std::vector<CondensedBody> bodies;
   for (const BoundPoints& bound : {BoundPoints(), body.bind(left, {}), body.bind(left, held)})
-    bodies.push_back(body.contact_points(stations, -Vec3::UnitZ(), 1.0, 1, bound));
+    bodies.push_back(body.contact_points(sites, -Vec3::UnitZ(), 1.0, 1, bound));
   return bodies;
 }
 

@@ -1,5 +1,5 @@
-// Needles that were left in a body and nodes that a probe holds, with a needle that is pushed in beside them: against
-// a dense solution of the whole body with all of them at once.
+// Left needles and nodes held by a probe, with a needle inserted beside them: against a dense solution of the whole
+// body with all of them at once.
 #include "fem/solid/bound_points.h"
 
 #include <cmath>
@@ -29,17 +29,17 @@ using checks::top;
 using checks::WholeBody;
 namespace {
 
-// A needle's line beside a needle that was left, nearest 0.7 mm from it, and one farther away.
+// A needle's line beside a left needle, at least 0.7 mm away, and one farther away.
 const Vec3 entry_of_line(17.0, 14.0, top);
 const Vec3 along_line = Vec3(0.1, -0.05, -1.0).normalized();
 const NeedlePath beside{Vec3(17.9, 13.4, top), Vec3(18.4, 14.1, 4.0)};
 const NeedlePath aslant{Vec3(8.0, 20.0, top), Vec3(14.0, 17.0, 10.3)};
 
-std::vector<NeedleStation> stations_of_line() {
-  std::vector<NeedleStation> stations;
+std::vector<ContactSite> sites_of_line() {
+  std::vector<ContactSite> sites;
   for (int i = 0; i < 9; ++i)
-    stations.push_back({entry_of_line + (0.4 + 2.1 * i) * along_line, 0.4 + 2.1 * i, tissue::soft, false, false});
-  return stations;
+    sites.push_back({entry_of_line + (0.4 + 2.1 * i) * along_line, 0.4 + 2.1 * i, tissue::soft, false, false});
+  return sites;
 }
 
 struct Bound {
@@ -53,8 +53,8 @@ const std::vector<Bound> all_bound = {
 TEST(BoundPoints, needles_and_a_probe_are_coupled_as_in_a_dense_solution_of_the_whole_body) {
   const auto description = small_block();
   const ContactBody body(description);
-  const std::vector<NeedleStation> stations = stations_of_line();
-  const CondensedBody alone = body.contact_points(stations, along_line, 1.0);
+  const std::vector<ContactSite> sites = sites_of_line();
+  const CondensedBody alone = body.contact_points(sites, along_line, 1.0);
   const Eigen::MatrixXd loads = spread_of(alone.in_mesh, description->mesh.nodes.size());
   const Eigen::MatrixXd dense_alone = loads.transpose() * WholeBody(*description).solve(loads).moved;
   for (const Bound& one : all_bound) {
@@ -64,13 +64,13 @@ TEST(BoundPoints, needles_and_a_probe_are_coupled_as_in_a_dense_solution_of_the_
     if (one.probe) held = pressed_nodes(description->mesh);
     for (const std::uint32_t node : held) whole.hold(node);
     const BoundPoints bound = body.bind(one.left, held);
-    const CondensedBody together = body.contact_points(stations, along_line, 1.0, 1, bound);
+    const CondensedBody together = body.contact_points(sites, along_line, 1.0, 1, bound);
     ASSERT_EQ(together.compliance.rows(), alone.compliance.rows());
     EXPECT_EQ(together.compliance, together.compliance.transpose());
 
     const WholeBody::Solution dense = whole.solve(loads);
     const Eigen::MatrixXd expected = loads.transpose() * dense.moved;
-    // What the mesh lacks at the needle's own points is the same with and without the others.
+    // The mesh's missing compliance at the needle's own points is the same with and without the others.
     const Eigen::MatrixXd found = together.compliance - alone.compliance + dense_alone;
     double change = 0.0;
     for (Eigen::Index i = 0; i < expected.rows(); ++i) {
@@ -84,7 +84,7 @@ TEST(BoundPoints, needles_and_a_probe_are_coupled_as_in_a_dense_solution_of_the_
       }
     }
     EXPECT_GT(change, 0.05) << "it is to be felt";
-    // The energy of body, needles and what the mesh lacks is that of the needle's forces alone.
+    // The energy of body, needles and missing compliance equals that of only the needle's forces.
     for (Eigen::Index j = 0; j < expected.cols(); ++j)
       EXPECT_NEAR(0.5 * found(j, j), dense.energy(j), 1e-9 * dense.energy(j));
   }
@@ -117,15 +117,15 @@ TEST(BoundPoints, forces_on_needles_that_were_left_are_those_of_the_dense_soluti
   EXPECT_LT(torque.norm(), 1e-9);
 }
 
-// The hand feels both, in the tick: the tissue beside a needle that was left, and under a probe, is stiffer across.
+// The hand feels both in the tick: tissue beside a left needle, and under a probe, is laterally stiffer.
 TEST(BoundPoints, a_needle_beside_another_one_feels_it_and_one_far_away_does_not) {
   const auto description = small_block();
   const ContactBody body(description);
   const auto pushed_aside = [&](const Vec3& entry, const BoundPoints& bound) {
-    std::vector<NeedleStation> stations;
+    std::vector<ContactSite> sites;
     for (int i = 0; i < 9; ++i)
-      stations.push_back({entry - (0.1 + 2.0 * i) * Vec3::UnitZ(), 0.1 + 2.0 * i, tissue::soft, false, false});
-    const CondensedBody points = body.contact_points(stations, -Vec3::UnitZ(), 1.0, 1, bound);
+      sites.push_back({entry - (0.1 + 2.0 * i) * Vec3::UnitZ(), 0.1 + 2.0 * i, tissue::soft, false, false});
+    const CondensedBody points = body.contact_points(sites, -Vec3::UnitZ(), 1.0, 1, bound);
     EmbeddedNeedle needle(points, default_contact_tissues(), {}, 1e-3);
     needle.begin(entry, -Vec3::UnitZ());
     for (double depth = -0.5; depth < 15.0; depth += 0.02)
@@ -154,14 +154,14 @@ TEST(BoundPoints, any_number_of_needles_close_together_leaves_the_compliance_pos
     needles.push_back({entry_of_line + apart, entry_of_line + 18.0 * along_line + apart});
   }
   const BoundPoints bound = body.bind(needles, pressed_nodes(description->mesh));
-  const CondensedBody points = body.contact_points(stations_of_line(), along_line, 1.0, 1, bound);
+  const CondensedBody points = body.contact_points(sites_of_line(), along_line, 1.0, 1, bound);
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(points.compliance, Eigen::EigenvaluesOnly).eigenvalues();
   EXPECT_GT(values.minCoeff(), 0.0);
   // The same points one after another, and on three threads, have the same bits.
   std::size_t at = 0;
   LinePoints line(body, 1.0, bound);
-  line.add(stations_of_line(), along_line);
+  line.add(sites_of_line(), along_line);
   line.stream(0, [&](const ContactPoint& point) {
     for (std::size_t i = 0; i < point.between.size(); ++i) {
       const Mat3 block =
@@ -172,7 +172,7 @@ TEST(BoundPoints, any_number_of_needles_close_together_leaves_the_compliance_pos
     return true;
   });
   EXPECT_EQ(at, points.nodes.size());
-  EXPECT_EQ(body.contact_points(stations_of_line(), along_line, 1.0, 3, bound).compliance, points.compliance);
+  EXPECT_EQ(body.contact_points(sites_of_line(), along_line, 1.0, 3, bound).compliance, points.compliance);
 }
 
 TEST(BoundPoints, what_cannot_be_bound_is_refused_in_a_sentence) {

@@ -136,7 +136,7 @@ TEST(CondensedCache, prepares_what_the_cache_does_not_have_and_keeps_it) {
   const CondensedBody stiffer = get();
   EXPECT_GT(worked, 0);
   ASSERT_EQ(notes.size(), 2U);
-  EXPECT_THAT(notes[0], AllOf(HasSubstr("prepared anew"), HasSubstr("belongs to another body")));
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("prepared again"), HasSubstr("belongs to another body")));
   expect_same(get(), stiffer);
   EXPECT_EQ(worked, 0);
   std::filesystem::resize_file(file, 100);

@@ -1,4 +1,4 @@
-// A needle meets points of its own line, wherever the mesh has its nodes.
+// A needle meets points of its own line, independent of the mesh's nodes.
 #include "fem/solid/contact_body.h"
 
 #include <algorithm>
@@ -39,17 +39,17 @@ std::shared_ptr<const BodyDescription> block(double h, std::uint64_t seed) {
 
 // A line straight down at a place near the middle: skin, which is to be punctured, then a softer tissue, then at 12
 // mm a ligament.
-std::vector<NeedleStation> stations_down(const Vec3& entry) {
-  std::vector<NeedleStation> stations;
+std::vector<ContactSite> sites_down(const Vec3& entry) {
+  std::vector<ContactSite> sites;
   for (int depth = 0; depth <= 20; ++depth) {
     const bool border = depth == 0 || depth == 2 || depth == 12;
     const TissueId tissue = depth < 2 ? tissue::skin : depth < 12 ? tissue::muscle : tissue::ligamentum_flavum;
-    stations.push_back({entry - depth * Vec3::UnitZ(), 1.0 * depth, tissue, border, depth == 0 || depth == 12});
+    sites.push_back({entry - depth * Vec3::UnitZ(), 1.0 * depth, tissue, border, depth == 0 || depth == 12});
   }
-  return stations;
+  return sites;
 }
 
-// What a needle feels that goes down this line at 10 mm/s to `end` mm.
+// The forces on a needle that moves down this line at 10 mm/s to `end` mm.
 struct Felt {
   double dimple = 0.0, force = 0.0, gone = 0.0;  // mm at the first puncture; N there; N at the end
   std::vector<TissueId> punctures;
@@ -74,16 +74,16 @@ Felt push(const CondensedBody& body, const Vec3& entry, double end) {
 
 TEST(ContactBody, points_are_those_of_the_line_and_their_compliance_is_positive_definite) {
   const ContactBody body(block(6.0, 1));  // some borders share an element with two points more
-  const std::vector<NeedleStation> stations = stations_down(Vec3(29.0, 31.0, 40.0));
-  const CondensedBody points = body.contact_points(stations, -Vec3::UnitZ(), 1.0);
+  const std::vector<ContactSite> sites = sites_down(Vec3(29.0, 31.0, 40.0));
+  const CondensedBody points = body.contact_points(sites, -Vec3::UnitZ(), 1.0);
   ASSERT_TRUE(points.has_contact_points());
   ASSERT_EQ(points.in_mesh.size(), points.nodes.size());
-  EXPECT_LT(points.nodes.size(), stations.size());
-  for (const NeedleStation& station : stations) {
-    if (!station.border) continue;
-    const auto at = std::find(points.nodes.begin(), points.nodes.end(), station.place);
-    ASSERT_NE(at, points.nodes.end()) << station.depth;
-    EXPECT_EQ(points.tissues[static_cast<std::size_t>(at - points.nodes.begin())], station.tissue);
+  EXPECT_LT(points.nodes.size(), sites.size());
+  for (const ContactSite& site : sites) {
+    if (!site.border) continue;
+    const auto at = std::find(points.nodes.begin(), points.nodes.end(), site.place);
+    ASSERT_NE(at, points.nodes.end()) << site.depth;
+    EXPECT_EQ(points.tissues[static_cast<std::size_t>(at - points.nodes.begin())], site.tissue);
   }
   for (std::size_t i = 0; i < points.nodes.size(); ++i) {
     Vec3 place = Vec3::Zero();
@@ -97,18 +97,18 @@ TEST(ContactBody, points_are_those_of_the_line_and_their_compliance_is_positive_
   EXPECT_GT(values.minCoeff(), 1e-4 * values.maxCoeff());
 }
 
-// Three points of a line in one linear element depend on each other: what is added to each keeps the equations
+// Three points of a line in one linear element depend on each other: the additions to each keep the equations
 // regular.
 TEST(ContactBody, any_number_of_borders_may_lie_in_one_element) {
   const ContactBody body(block(10.0, 1));
-  std::vector<NeedleStation> stations;
+  std::vector<ContactSite> sites;
   for (int i = 0; i < 12; ++i) {
     const double depth = 0.1 + 0.4 * i;
-    stations.push_back(
+    sites.push_back(
         {Vec3(27.0, 29.0, 40.0 - depth), depth, i % 2 == 0 ? tissue::skin : tissue::muscle, true, i == 0});
   }
-  const CondensedBody points = body.contact_points(stations, -Vec3::UnitZ(), 1.0);
-  ASSERT_EQ(points.nodes.size(), stations.size());
+  const CondensedBody points = body.contact_points(sites, -Vec3::UnitZ(), 1.0);
+  ASSERT_EQ(points.nodes.size(), sites.size());
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(points.compliance, Eigen::EigenvaluesOnly).eigenvalues();
   EXPECT_GT(values.minCoeff(), 1e-3 * values.maxCoeff());
@@ -116,16 +116,16 @@ TEST(ContactBody, any_number_of_borders_may_lie_in_one_element) {
 
 TEST(ContactBody, has_the_same_bits_for_any_number_of_threads) {
   const ContactBody body(block(5.0, 2)), again(block(5.0, 2), {.threads = 3});
-  const std::vector<NeedleStation> stations = stations_down(Vec3(30.5, 28.0, 40.0));
-  const CondensedBody one = body.contact_points(stations, -Vec3::UnitZ(), 1.0, 1);
-  const CondensedBody three = again.contact_points(stations, -Vec3::UnitZ(), 1.0, 3);
+  const std::vector<ContactSite> sites = sites_down(Vec3(30.5, 28.0, 40.0));
+  const CondensedBody one = body.contact_points(sites, -Vec3::UnitZ(), 1.0, 1);
+  const CondensedBody three = again.contact_points(sites, -Vec3::UnitZ(), 1.0, 3);
   ASSERT_EQ(one.compliance.size(), three.compliance.size());
   EXPECT_EQ(std::memcmp(one.compliance.data(), three.compliance.data(),
                         static_cast<std::size_t>(one.compliance.size()) * sizeof(double)),
             0);
 }
 
-// What is kept counts beside what its computation takes.
+// Stored data count in addition to the computation's memory.
 TEST(ContactBody, one_that_does_not_fit_into_memory_is_refused) {
   const auto description = block(6.0, 1);
   const std::size_t kept = ContactBody(description).factor().bytes();
@@ -135,14 +135,14 @@ TEST(ContactBody, one_that_does_not_fit_into_memory_is_refused) {
 
 TEST(ContactBody, a_line_beside_the_mesh_is_refused) {
   const ContactBody body(block(10.0, 1));
-  EXPECT_THROW(body.contact_points(stations_down(Vec3(90.0, 30.0, 40.0)), -Vec3::UnitZ(), 1.0), InputError);
+  EXPECT_THROW(body.contact_points(sites_down(Vec3(90.0, 30.0, 40.0)), -Vec3::UnitZ(), 1.0), InputError);
 }
 
 TEST(ContactBody, a_border_among_held_nodes_is_there_and_hardly_moves) {
   const ContactBody body(block(10.0, 1));
-  const std::vector<NeedleStation> stations = {{Vec3(30.0, 30.0, 40.0), 0.0, tissue::skin, true, true},
-                                               {Vec3(30.0, 30.0, 0.0), 40.0, tissue::ligamentum_flavum, true, true}};
-  const CondensedBody points = body.contact_points(stations, -Vec3::UnitZ(), 1.0);
+  const std::vector<ContactSite> sites = {{Vec3(30.0, 30.0, 40.0), 0.0, tissue::skin, true, true},
+                                          {Vec3(30.0, 30.0, 0.0), 40.0, tissue::ligamentum_flavum, true, true}};
+  const CondensedBody points = body.contact_points(sites, -Vec3::UnitZ(), 1.0);
   ASSERT_EQ(points.nodes.size(), 2U);
   EXPECT_GT(points.compliance(5, 5), 0.0);
   EXPECT_EQ(points.compliance(2, 5), 0.0);
@@ -178,7 +178,7 @@ TEST(ContactBody, dimpling_and_force_hardly_depend_on_the_mesh_or_on_the_place_i
     std::vector<double> dimples_here, forces_here;
     for (int shift = 0; shift < 5; ++shift) {
       const Vec3 entry(30.0 + 0.31 * h * shift, 30.0 - 0.23 * h * shift, 40.0);
-      const CondensedBody points = body.contact_points(stations_down(entry), -Vec3::UnitZ(), 1.0);
+      const CondensedBody points = body.contact_points(sites_down(entry), -Vec3::UnitZ(), 1.0);
       const Felt felt = push(points, entry, 25.0);
       EXPECT_NEAR(felt.force, 1.5, 0.01);
       dimples_here.push_back(felt.dimple);
@@ -202,7 +202,7 @@ TEST(ContactBody, dimpling_converges_on_finer_meshes_and_over_many_shifts) {
     for (int shift = 0; shift < 20; ++shift) {
       const Vec3 entry(30.0 + h * std::fmod(0.618 * shift, 1.0), 30.0 + h * std::fmod(0.382 * shift * shift, 1.0),
                        40.0);
-      const std::vector<NeedleStation> skin = {{entry, 0.0, tissue::skin, true, true}};
+      const std::vector<ContactSite> skin = {{entry, 0.0, tissue::skin, true, true}};
       here.push_back(1.5 * body.contact_points(skin, -Vec3::UnitZ(), 1.0).compliance(2, 2));
     }
     const auto [mean, deviation] = spread_of(here);
@@ -313,7 +313,7 @@ Eigen::Vector2d shaft_compliance_in(double h, const Vec3& fibre, std::uint64_t s
   BodyDescription body = *block(h, seed);
   body.materials.set(tissue::soft, {0.05, 0.3, fibre, 1.0, 0.05});
   const ContactBody whole(std::make_shared<const BodyDescription>(std::move(body)));
-  const CondensedBody points = whole.contact_points(stations_down(Vec3(29.0, 31.0, 40.0)), -Vec3::UnitZ(), 1.0);
+  const CondensedBody points = whole.contact_points(sites_down(Vec3(29.0, 31.0, 40.0)), -Vec3::UnitZ(), 1.0);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double count = 0.0;
   for (std::size_t i = 0; i < points.nodes.size(); ++i) {

@@ -1,4 +1,4 @@
-// Contact points are computed ahead of a needle that enters where it likes.
+// Contact points are computed ahead of a needle that enters anywhere.
 #include "fem/solid/contact_stream.h"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ const Vec3 entry_in_box(29.3, 31.2, box_side);
 
 CondensedBody complete_line(const ContactBody& body, const Case& patient, const Vec3& entry, const Vec3& direction) {
   const NeedlePath path{entry, entry + 40.0 * direction};
-  return body.contact_points(stations_along(path, 40.0, 1.0, patient), direction, 1.0);
+  return body.contact_points(contact_sites_along(path, 40.0, 1.0, patient), direction, 1.0);
 }
 
 EmbeddedNeedle needle_in(const CondensedBody& body) {
@@ -103,7 +103,7 @@ TEST(ContactStream, has_the_points_and_the_bits_of_a_complete_line_anywhere_and_
     const double right = random.uniform(-0.5, 0.5), up = random.uniform(-0.5, 0.5);
     const Vec3 entry(x, y, box_side), direction = Vec3(right, up, -1.0).normalized();
     const CondensedBody expected = complete_line(*body, *patient, entry, direction);
-    line->ask(entry, direction);
+    line->request(entry, direction);
     const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
     ASSERT_TRUE(found.complete);
     ASSERT_EQ(found.points, expected.nodes.size());
@@ -117,7 +117,7 @@ TEST(ContactStream, has_the_points_and_the_bits_of_a_complete_line_anywhere_and_
 TEST(ContactStream, a_line_beside_the_mesh_is_complete_and_empty) {
   const auto line = std::make_shared<ContactLine>();
   const ContactStream stream(box_of(5), patient_in_box(), {.length = 40.0}, line);
-  line->ask(Vec3(300.0, 0.0, 0.0), Vec3::UnitZ());
+  line->request(Vec3(300.0, 0.0, 0.0), Vec3::UnitZ());
   const ContactLine::Progress found = line->wait_for(1);
   EXPECT_TRUE(found.complete);
   EXPECT_EQ(found.points, 0U);
@@ -130,7 +130,7 @@ TEST(ContactStream, a_new_line_takes_the_place_of_one_that_is_being_computed) {
   const ContactStream stream(body, patient, {.length = 40.0}, line);
   for (int i = 0; i < 20; ++i) {
     const Vec3 entry = entry_in_box + Vec3(0.3 * i, 0.0, 0.0);
-    line->ask(entry, -Vec3::UnitZ());
+    line->request(entry, -Vec3::UnitZ());
     EXPECT_FALSE(line->progress().complete);
     const ContactLine::Progress found = line->wait_for(i % 3 == 0 ? 1 : 0);
     for (std::size_t point = 0; point < found.points; ++point)
@@ -139,8 +139,8 @@ TEST(ContactStream, a_new_line_takes_the_place_of_one_that_is_being_computed) {
   EXPECT_TRUE(line->wait_for(ContactLine::most_points).complete);
 }
 
-// The points of a line that turns are those of the same stations in one go: with the points that stay the new ones
-// are coupled as if all had been known from the beginning.
+// The points of a line that turns are those of the same sites in one go: the new points are coupled with the
+// remaining ones as if all had been known from the beginning.
 TEST(ContactStream, a_line_that_turns_keeps_its_points_and_couples_the_new_ones_with_them) {
   const auto body = box_of(9);
   const auto patient = patient_in_box();
@@ -148,25 +148,24 @@ TEST(ContactStream, a_line_that_turns_keeps_its_points_and_couples_the_new_ones_
   constexpr std::size_t kept = 9;
   const BoundPoints unbound;
   LinePoints whole(*body, 1.0, unbound);
-  whole.add(stations_along({entry_in_box, entry_in_box + 40.0 * down}, 40.0, 1.0, *patient), down);
+  whole.add(contact_sites_along({entry_in_box, entry_in_box + 40.0 * down}, 40.0, 1.0, *patient), down);
   ASSERT_GT(whole.size(), kept);
   whole.compute(0, kept);
   const Vec3 turn = whole.point(kept - 1).place + 0.3 * down;
   whole.keep_first(kept);
   const double left = 40.0 - (turn - entry_in_box).norm();
-  const auto ahead = stations_ahead(turn, aside, left, 1.0, whole.tissue(kept - 1), *patient);
-  EXPECT_TRUE(std::ranges::any_of(ahead, [](const NeedleStation& station) {
-    return station.resists && station.tissue == tissue::ligamentum_flavum;
-  }));
+  const auto ahead = contact_sites_ahead(turn, aside, left, 1.0, whole.tissue(kept - 1), *patient);
+  EXPECT_TRUE(std::ranges::any_of(
+      ahead, [](const ContactSite& site) { return site.resists && site.tissue == tissue::ligamentum_flavum; }));
   whole.add(ahead, aside);
   whole.compute(0, whole.size());
 
   const auto line = std::make_shared<ContactLine>();
   const ContactStream stream(body, patient, {.length = 40.0}, line);
   for (const std::size_t waited : {kept, ContactLine::most_points}) {  // while it is computed, and later
-    line->ask(entry_in_box, down);
+    line->request(entry_in_box, down);
     line->wait_for(waited);
-    line->lead_on(turn, aside, kept);
+    line->continue_from(turn, aside, kept);
     const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
     ASSERT_TRUE(found.complete);
     ASSERT_EQ(found.points, whole.size());
@@ -182,7 +181,7 @@ TEST(ContactStream, a_line_that_turns_keeps_its_points_and_couples_the_new_ones_
   }
 }
 
-// Those of the planned line are the patient's own, and a needle can turn away from them.
+// Points of the planned line belong to the patient, and a needle can turn away from them.
 TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
   const auto body = box_of(9);
   const auto patient = std::make_shared<Case>(*patient_in_box());
@@ -193,14 +192,14 @@ TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
   patient->prepared = {std::make_shared<const CondensedBody>(marked), planned};
   const auto line = std::make_shared<ContactLine>();
   const ContactStream stream(body, patient, {.length = 40.0}, line);
-  line->ask_planned(planned.entry, planned.direction());
+  line->request_planned(planned.entry, planned.direction());
   const ContactLine::Progress known = line->wait_for(ContactLine::most_points);
   ASSERT_EQ(known.points, marked.nodes.size());
   const auto size = marked.compliance.rows();
   EXPECT_EQ(line->body().compliance.topLeftCorner(size, size), marked.compliance);
   constexpr std::size_t kept = 5;
   const Vec3 turn = marked.nodes[kept - 1] + 0.4 * down;
-  line->lead_on(turn, aside, kept);
+  line->continue_from(turn, aside, kept);
   const ContactLine::Progress found = line->wait_for(ContactLine::most_points);
   ASSERT_TRUE(found.complete);
   ASSERT_GT(found.points, kept + 10);
@@ -218,17 +217,17 @@ TEST(ContactStream, the_planned_line_is_known_and_can_be_left) {
       0.0);
 }
 
-// A needle that was left has no length: nothing can be bound to it.
+// A left needle without length: nothing can be bound to it.
 TEST(ContactStream, says_why_there_are_no_points_and_says_it_once) {
   const auto line = std::make_shared<ContactLine>();
   ContactStream stream(box_of(5), patient_in_box(), {.length = 40.0, .left = {{entry_in_box, entry_in_box}}}, line);
-  line->ask(entry_in_box, -Vec3::UnitZ());
+  line->request(entry_in_box, -Vec3::UnitZ());
   EXPECT_EQ(line->wait_for(1).points, 0U);
   EXPECT_TRUE(line->progress().complete) << "the needle does not wait for them";
   EXPECT_THAT(stream.take_failures(),
               ElementsAre(AllOf(StartsWith("contact points of the needle's line could not be computed"),
                                 HasSubstr("is 0 mm long"), Not(HasSubstr("memory")))));
-  line->ask(entry_in_box + Vec3::UnitX(), -Vec3::UnitZ());
+  line->request(entry_in_box + Vec3::UnitX(), -Vec3::UnitZ());
   line->wait_for(1);
   EXPECT_TRUE(stream.take_failures().empty());
   EXPECT_NO_THROW(stream.throw_failure());
@@ -240,13 +239,13 @@ TEST(ContactStream, says_that_memory_ended_and_goes_on_when_there_is_some_again)
   ContactStream stream(box_of(9), patient_in_box(), {.length = 40.0}, line);
   {
     const ScarceMemory little(2048);
-    line->ask(entry_in_box, -Vec3::UnitZ());
+    line->request(entry_in_box, -Vec3::UnitZ());
     line->wait_for(ContactLine::most_points);
   }
   EXPECT_TRUE(line->progress().complete);
   EXPECT_THAT(stream.take_failures(), ElementsAre(AllOf(StartsWith("contact points of the needle's line could not"),
                                                         HasSubstr(": the memory is exhausted"))));
-  line->ask(entry_in_box, -Vec3::UnitZ());
+  line->request(entry_in_box, -Vec3::UnitZ());
   const std::size_t points = line->wait_for(ContactLine::most_points).points;
   EXPECT_GT(points, 15U);
   EXPECT_TRUE(stream.take_failures().empty());
@@ -267,10 +266,10 @@ TEST(ContactStream, says_that_memory_ended_and_goes_on_when_there_is_some_again)
 TEST(ContactStream, waiting_ends_when_the_stream_does) {
   const auto line = std::make_shared<ContactLine>();
   std::thread waiting([&] { EXPECT_TRUE(line->wait_for(1).complete); });
-  line->ask(Vec3::Zero(), Vec3::UnitZ());  // there is no stream
+  line->request(Vec3::Zero(), Vec3::UnitZ());  // there is no stream
   line->close();
   waiting.join();
-  line->ask(Vec3::Zero(), Vec3::UnitZ());
+  line->request(Vec3::Zero(), Vec3::UnitZ());
   EXPECT_TRUE(line->progress().complete);
 }
 
@@ -295,7 +294,7 @@ TEST(GrowingLine, points_that_come_in_time_change_no_bit) {
   EXPECT_GE(punctures, 2);
 }
 
-// The tip is up to 3 mm past a point before it is there.
+// The tip is up to 3 mm past a point before the point arrives.
 TEST(GrowingLine, points_that_come_late_are_felt_from_there_on_without_a_jump) {
   const auto body = box_of(9);
   const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
@@ -321,7 +320,7 @@ TEST(GrowingLine, points_that_come_late_are_felt_from_there_on_without_a_jump) {
   EXPECT_NE(std::find(punctures.begin(), punctures.end(), tissue::ligamentum_flavum), punctures.end());
 }
 
-// The surface gives way as softly as half, and twice, what its point does once it is there.
+// The surface is half, and twice, as compliant as its later point.
 TEST(GrowingLine, the_first_point_takes_the_force_of_the_provisional_surface_over) {
   const auto body = box_of(9);
   const CondensedBody points = complete_line(*body, *patient_in_box(), entry_in_box, -Vec3::UnitZ());
@@ -345,7 +344,7 @@ TEST(GrowingLine, the_first_point_takes_the_force_of_the_provisional_surface_ove
         EXPECT_NEAR(found.resistance, exact, 0.05 / own + 1e-9)
             << depth;  // that one begins at its first tick's depth
       }
-      // Where the point is softer than the surface was, the tip is not deep enough for the force of before.
+      // If the point is softer than the surface was, the tip is not deep enough for the previous force.
       if (part >= 1.0) {
         EXPECT_LT(std::abs(found.resistance - before), 1.5 * 0.05 / own) << depth;
       }
@@ -385,7 +384,7 @@ TEST(GrowingLine, holes_stay_open) {
   }
 }
 
-// How long the first point takes, and how many come in a second: printed, since a loaded machine decides it.
+// Time of the first point, and points per second: only printed, as they depend on the machine's load.
 TEST(ContactStream, first_point_and_points_per_second) {
   const auto body = box_of(sanitized ? 7 : 19);
   const auto patient = patient_in_box();
@@ -397,7 +396,7 @@ TEST(ContactStream, first_point_and_points_per_second) {
   };
   for (int i = 0; i < (sanitized ? 1 : 3); ++i) {
     const auto began = Clock::now();
-    line->ask(entry_in_box + Vec3(2.3 * i, -1.7 * i, 0.0), Vec3(0.1 * i, 0.0, -1.0).normalized());
+    line->request(entry_in_box + Vec3(2.3 * i, -1.7 * i, 0.0), Vec3(0.1 * i, 0.0, -1.0).normalized());
     line->wait_for(1);
     const double first = since(began);
     const ContactLine::Progress all = line->wait_for(ContactLine::most_points);

@@ -1,4 +1,4 @@
-// Bodies whose exact solution is known, on meshes that do not lie in rows.
+// Bodies with known exact solutions, on irregular meshes.
 #include "tests/fem/lattice_body.h"
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ BodyDescription patch_body(const ElasticMaterial& material, std::uint64_t seed) 
   return body;
 }
 
-// The displacement of all nodes when the fixed ones are held where `field` says.
+// The displacement of all nodes with the fixed ones held according to `field`.
 template <typename Field>
 Eigen::VectorXd held_at(const BodyDescription& body, const Field& field) {
   const auto size = 3 * static_cast<Eigen::Index>(body.mesh.nodes.size());

@@ -33,12 +33,12 @@ std::string whole_file(const std::filesystem::path& file) {
   return bytes.str();
 }
 
-// What a needle's line through the body meets, to the last bit.
+// The contents of a needle's line through the body, to the last bit.
 Eigen::MatrixXd compliance_in(const ContactBody& body) {
-  std::vector<NeedleStation> stations;
+  std::vector<ContactSite> sites;
   for (int depth = 0; depth < 30; ++depth)
-    stations.push_back({Vec3(24.0, 26.0, 50.0 - depth), 1.0 * depth, tissue::soft, depth == 0, depth == 0});
-  return body.contact_points(stations, -Vec3::UnitZ(), 0.35).compliance;
+    sites.push_back({Vec3(24.0, 26.0, 50.0 - depth), 1.0 * depth, tissue::soft, depth == 0, depth == 0});
+  return body.contact_points(sites, -Vec3::UnitZ(), 0.35).compliance;
 }
 
 TEST(FactorCache, gives_back_the_same_bits) {
@@ -127,7 +127,7 @@ TEST(FactorCache, prepares_what_the_cache_does_not_have_and_keeps_it) {
   const Eigen::MatrixXd stiffer = compliance_in(*get(small_body(0.04)));
   EXPECT_GT(worked, 0);
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_THAT(notes[0], AllOf(HasSubstr("prepared anew"), HasSubstr("belongs to another body")));
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("prepared again"), HasSubstr("belongs to another body")));
   EXPECT_EQ(compliance_in(*get(small_body(0.04))), stiffer);
   EXPECT_EQ(worked, 0);
   EXPECT_EQ(compliance_in(*kept), first);

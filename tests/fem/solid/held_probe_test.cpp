@@ -1,5 +1,5 @@
-// A needle in the hand and a probe that presses, coupled both ways: the force on the probe has the needle's part in
-// it, and the needle feels how the probe moves the tissue and holds it. Against one dense solution of the whole body.
+// A needle in the hand and a probe that presses, coupled both ways: the force on the probe includes the needle's
+// part, and the needle feels the probe's motion and hold of the tissue. Against one dense solution of the whole body.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -38,16 +38,16 @@ class LineBesideProbe {
         left_(left),
         late_(late),
         line_(0.0, held_.size()) {
-    std::vector<NeedleStation> stations;
+    std::vector<ContactSite> sites;
     for (int i = 0; i < 9; ++i) {
       const double depth = 2.1 * i;
-      stations.push_back({entry_beside_probe - depth * Vec3::UnitZ(), depth, tissue::soft, false, false});
+      sites.push_back({entry_beside_probe - depth * Vec3::UnitZ(), depth, tissue::soft, false, false});
     }
-    line_.ask(entry_beside_probe, -Vec3::UnitZ(), late ? std::vector<std::uint32_t>() : held_);
+    line_.request(entry_beside_probe, -Vec3::UnitZ(), late ? std::vector<std::uint32_t>() : held_);
     const ContactLine::Line asked = line_.next_line().value();
     bound_ = body_.bind(left, {asked.held.data(), asked.held_count});
     points_.emplace(body_, 1.0, bound_);
-    points_->add(stations, -Vec3::UnitZ());
+    points_->add(sites, -Vec3::UnitZ());
     points_->stream(0, [&](const ContactPoint& point) { return line_.append(asked, point); });
     line_.complete(asked);
   }
@@ -98,7 +98,7 @@ class LineBesideProbe {
     EXPECT_TRUE(needle.exchanged());
     EXPECT_GE(ticks, 4) << "a few points in a tick";
     EXPECT_LT((needle.step(aside).on_hand.force - before.force).norm(), 1e-9 * lateral);
-    line_.take_coupled();
+    line_.apply_coupling();
   }
 
  private:
@@ -111,7 +111,7 @@ class LineBesideProbe {
   std::optional<LinePoints> points_;
 };
 
-// What the probe does to the nodes that it holds: it has come down, and tilts.
+// The probe's motion of its held nodes: it has come down, and tilts.
 Eigen::VectorXd press_of(const LineBesideProbe& rig) {
   Eigen::VectorXd press(3 * static_cast<Eigen::Index>(rig.held().size()));
   for (std::size_t i = 0; i < rig.held().size(); ++i) {
@@ -150,7 +150,7 @@ void expect_coupled_as_in_a_dense_solution(const std::vector<NeedlePath>& left, 
   ASSERT_GE(count, 7);
   const std::size_t nodes = rig.mesh().nodes.size();
   const auto of_held = 3 * static_cast<Eigen::Index>(rig.held().size());
-  // The last column: nothing but the probe. The others: a force across the needle at each of its points.
+  // The last column: only the probe. The others: a force across the needle at each of its points.
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(nodes), 2 * count + 1);
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(of_held, loads.cols());
   moved.rightCols<1>() = press_of(rig);
@@ -161,7 +161,7 @@ void expect_coupled_as_in_a_dense_solution(const std::vector<NeedlePath>& left, 
   const WholeBody::Solution dense = whole.solve(loads, moved);
   const Eigen::MatrixXd at_points = spread.transpose() * dense.moved;
 
-  // The needle: pressed tissue has taken it aside; then it is moved and tilted.
+  // The needle: pressed tissue has moved it aside; then it is moved and tilted.
   EmbeddedNeedle needle = rig.needle();
   const Eigen::VectorXf field = dense.moved.rightCols<1>().cast<float>();
   for (int tick = 0; tick < 1500; ++tick) {
@@ -213,14 +213,13 @@ TEST(HeldProbe, needle_and_probe_are_coupled_both_ways_as_in_a_dense_solution) {
   expect_coupled_as_in_a_dense_solution({{Vec3(20.0, 14.0, checks::top), Vec3(23.0, 12.0, 6.0)}});
 }
 
-// A probe that comes while the needle is in.
+// A probe that arrives while the needle is in.
 TEST(HeldProbe, nodes_that_a_probe_takes_later_are_coupled_as_in_a_dense_solution) {
   expect_coupled_as_in_a_dense_solution({}, true);
   expect_coupled_as_in_a_dense_solution({{Vec3(20.0, 14.0, checks::top), Vec3(23.0, 12.0, 6.0)}}, true);
 }
 
-// What a needle does to the probe is what the probe does to the needle (Betti): the work of each one's force on the
-// other's motion is the same.
+// Reciprocity of needle and probe (Betti): the work of each one's force on the other's motion is the same.
 TEST(HeldProbe, work_is_the_same_either_way) {
   const LineBesideProbe rig;
   WholeBody whole(rig.body().description());
@@ -254,13 +253,13 @@ TEST(HeldProbe, work_is_the_same_either_way) {
 TEST(HeldProbe, without_a_probe_nothing_is_pushed) {
   const ContactBody body(small_block());
   ContactLine line;
-  line.ask(entry_beside_probe, -Vec3::UnitZ());
+  line.request(entry_beside_probe, -Vec3::UnitZ());
   const ContactLine::Line asked = line.next_line().value();
-  const std::vector<NeedleStation> stations = {{entry_beside_probe - Vec3::UnitZ(), 1.0, tissue::soft, false, false}};
+  const std::vector<ContactSite> sites = {{entry_beside_probe - Vec3::UnitZ(), 1.0, tissue::soft, false, false}};
   const BoundPoints bound =
       body.bind(std::vector<NeedlePath>{{Vec3(20.0, 14.0, checks::top), Vec3(23.0, 12.0, 6.0)}}, {});
   LinePoints points(body, 1.0, bound);
-  points.add(stations, -Vec3::UnitZ());
+  points.add(sites, -Vec3::UnitZ());
   points.stream(0, [&](const ContactPoint& point) { return line.append(asked, point); });
   NodeForces forces;
   forces.count = 1;

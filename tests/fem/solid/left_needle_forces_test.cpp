@@ -1,4 +1,4 @@
-// The picture of a body with needles that were left in it: against a dense solution of the whole body with them.
+// The display of a body with left needles: against a dense solution of the whole body with them.
 #include "fem/solid/left_needle_forces.h"
 
 #include <algorithm>

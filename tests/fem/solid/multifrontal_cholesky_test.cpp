@@ -1,4 +1,4 @@
-// The factorisation against programs that are not ours: Eigen's simplicial and CHOLMOD's supernodal Cholesky.
+// The factorisation against independent programs: Eigen's simplicial and CHOLMOD's supernodal Cholesky.
 #include "fem/solid/multifrontal_cholesky.h"
 
 #include "tests/fem/lattice_body.h"
@@ -89,7 +89,7 @@ TEST(MultifrontalCholesky, condenses_to_what_full_solves_give) {
   }
 }
 
-// CHOLMOD's supernodal factorisation, which is GPL and therefore only asked here.
+// CHOLMOD's supernodal factorisation, which is GPL and therefore only used here.
 Eigen::VectorXd solved_by_cholmod(const Sparse& lower, const Eigen::VectorXd& forces) {
   cholmod_common common;
   cholmod_start(&common);

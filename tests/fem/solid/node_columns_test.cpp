@@ -16,7 +16,7 @@ using checks::small_block;
 using checks::WholeBody;
 namespace {
 
-// Against one dense solution of the whole body, alone and with two needles that were left.
+// Against one dense solution of the whole body, alone and with two left needles.
 TEST(NodeColumns, are_how_points_move_by_forces_on_any_nodes) {
   const std::shared_ptr<const BodyDescription> body = small_block();
   const auto whole = std::make_shared<const ContactBody>(body);

@@ -90,8 +90,7 @@ TEST(DescribeBody, bone_is_held_unless_the_case_says_otherwise) {
   EXPECT_FALSE(is_fixed(describe_body(mesh, block_patient(), settings, block_path), {5, 20, 20}));
 }
 
-// Pressed at the skin: what is held stays where it is, what lies between moves, and bone and the far side bear the
-// whole push.
+// Pressed at the skin: held nodes do not move, those between do, and bone and the far side bear the whole push.
 TEST(DescribeBody, bone_and_the_far_side_do_not_move_and_bear_what_presses_the_skin) {
   TetrahedralMesh mesh = block_of_muscle();
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -139,7 +138,7 @@ TEST(DescribeBody, the_corridor_is_what_lies_nearest_to_the_path) {
   }
   EXPECT_EQ(corridor_about(body, block_path, {.radius = 7.5, .nodes = 10.0}, notes).size(), 10U);
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_THAT(notes[0], AllOf(HasSubstr("10 nodes at most"), HasSubstr("corridor_nodes")));
+  EXPECT_THAT(notes[0], AllOf(HasSubstr("at most 10 nodes"), HasSubstr("corridor_nodes")));
 }
 
 TEST(DescribeBody, moduli_are_those_of_the_library_times_the_scale) {

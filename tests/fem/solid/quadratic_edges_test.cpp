@@ -40,7 +40,7 @@ std::set<TissueId> tissues_of(const BodyDescription& body, const std::vector<boo
 
 // mm/N, of a disk in the middle of the top.
 double compliance_of_disk(const ContactBody& body, const Vec3& entry, double radius) {
-  const std::vector<NeedleStation> skin = {{entry, 0.0, tissue::skin, true, true}};
+  const std::vector<ContactSite> skin = {{entry, 0.0, tissue::skin, true, true}};
   return body.contact_points(skin, -Vec3::UnitZ(), radius).compliance(2, 2);
 }
 
@@ -77,8 +77,8 @@ TEST(QuadraticEdges, are_those_of_the_chosen_elements_each_once) {
   EXPECT_EQ(QuadraticEdges().unknown(0, 1), QuadraticEdges::none);
 }
 
-// Where elements with and without quadratic edges meet, an even strain needs no force inside: neither on a node nor
-// on an edge.
+// Between elements with and without quadratic edges, an even strain needs no inner force, neither on a node nor on an
+// edge.
 TEST(QuadraticEdges, an_even_strain_goes_on_through_elements_of_both_orders) {
   const TetrahedralMesh mesh = kuhn_lattice(5, 20.0, 0.2);
   ElasticMaterials materials;
@@ -157,7 +157,7 @@ TEST(StiffSkin, is_the_skin_that_is_stiffer_than_what_it_covers) {
   EXPECT_FALSE(tissues_of(held, stiff_skin_of(held)).contains(tissue::skin)) << "it cannot bend";
 }
 
-// Meshes of patients have their skin about the needle's path alone; the rim of such a piece borders on fat, too.
+// Meshes of patients have their skin only around the needle's path; the rim of such a piece also borders on fat.
 TEST(StiffSkin, may_be_a_piece_and_dimples_as_a_whole_one_does) {
   BodyDescription body = *checks::layered_block(checks::back_with_stiff_skin(), 3.3, 4);
   for (std::size_t element = 0; element < body.mesh.elements.size(); ++element) {

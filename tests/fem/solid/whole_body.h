@@ -1,6 +1,6 @@
 #pragma once
 
-// A small body with needles that were left in it and nodes that are held, as the dense equations of all its nodes.
+// A small body with left needles and held nodes, as the dense equations of all its nodes.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -55,7 +55,7 @@ inline Eigen::MatrixXd dense_stiffness(const TetrahedralMesh& mesh) {
   return stiffness;
 }
 
-// What a force on a place does to the nodes.
+// The nodal forces of a force on a place.
 inline Eigen::MatrixXd spread_of(const std::vector<PlaceInElement>& places, std::size_t nodes) {
   Eigen::MatrixXd spread =
       Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(nodes), 3 * static_cast<Eigen::Index>(places.size()));
@@ -66,7 +66,7 @@ inline Eigen::MatrixXd spread_of(const std::vector<PlaceInElement>& places, std:
   return spread;
 }
 
-// Whatever binds the body, written down as the dense equations of all its nodes.
+// All constraints on the body, as the dense equations of all its nodes.
 class WholeBody {
  public:
   explicit WholeBody(const BodyDescription& body) : body_(body), stiffness_(dense_stiffness(body.mesh)) {
@@ -93,7 +93,7 @@ class WholeBody {
       for (int i = 0; i < 3; ++i) gains_.push_back(gain_at(found[p]));
     }
   }
-  // mm/N, the same in all directions: what the mesh lacks at a point on a shaft.
+  // mm/N, isotropic: the mesh's missing compliance at a point on a shaft.
   double gain_at(const PointInMesh& place) const {
     Mat3 edges;
     const auto& nodes = body_.mesh.elements[place.element];

@@ -11,7 +11,7 @@
 
 namespace bodkin {
 
-// Curves that a script in another language has drawn from the papers' equations (measured_by_others.py).
+// Curves computed from the papers' equations by a script in another language (measured_by_others.py).
 class CurvesOfOthers : public ::testing::Test {
  protected:
   void SetUp() override {

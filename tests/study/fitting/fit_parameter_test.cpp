@@ -26,7 +26,7 @@ struct Declared {
   double usual = 0.0;
 };
 
-// What the tables of a model declare, by the name that a fit gives it.
+// The parameters declared in a model's tables, by the name used in a fit.
 using Tables = std::multimap<std::string, Declared>;
 
 template <typename Settings>
@@ -64,7 +64,7 @@ std::vector<FitModel> stacks() {
   std::vector<FitModel> found;
   const std::vector<double> tops = {0.0, 2.0, 5.0};
   for (const FitModel& model : fit_models())
-    if (has_layers(model.name)) found.push_back(fit_stack(model.name, tops));
+    if (model.stack != nullptr) found.push_back(fit_stack(model.name, tops));
   return found;
 }
 
@@ -73,7 +73,7 @@ TEST(FitParameter, its_unit_is_the_declared_one_and_its_range_lies_in_the_declar
     const Tables tables = tables_of(model.name);
     for (const FitParameter& one : model.parameters) {
       SCOPED_TRACE(std::string(model.name) + " " + one.name);
-      if (one.name == "contact" || one.name == "static_ratio") continue;  // of no table
+      if (one.name == "contact" || one.name == "static_ratio") continue;  // in no table
       ASSERT_EQ(tables.count(one.name), 1U);
       const Declared& declared = tables.find(one.name)->second;
       EXPECT_EQ(one.unit, declared.unit);
@@ -84,7 +84,7 @@ TEST(FitParameter, its_unit_is_the_declared_one_and_its_range_lies_in_the_declar
   }
 }
 
-// Whoever adds a line here says at the parameter why a fit looks through less than the model allows.
+// Each exception has a comment at its parameter that states why a fit searches less than the model allows.
 TEST(FitParameter, its_range_and_its_usual_value_are_the_declared_ones_but_for_these) {
   std::set<std::string> ranges, values;
   for (const FitModel& model : fit_models()) {
@@ -123,7 +123,7 @@ TEST(FitParameter, a_layer_of_a_stack_has_the_range_of_one_tissue) {
   }
 }
 
-// Throws InputError unless the table that belongs to the element takes it.
+// Throws InputError unless the table of the element accepts it.
 void read(const io::XmlElement& element, bool is_of_a_tissue) {
   const SettingsTree tree = io::tree_of(element);
   if (element.name == "layered") {

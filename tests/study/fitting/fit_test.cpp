@@ -34,7 +34,7 @@ std::string refusal(const MeasuredCurve& curve, const FitRequest& request) {
   return "accepted";
 }
 
-// A wall of 0.5 N/mm that begins to follow at 1 N is a ramp of 2 mm and a plateau, by hand.
+// By hand: a wall of 0.5 N/mm that begins to follow at 1 N is a ramp of 2 mm and a plateau.
 TEST(Fit, finds_a_ramp_and_its_plateau_drawn_by_hand) {
   MeasuredCurve curve;
   for (int i = 0; i <= 100; ++i) {
@@ -49,7 +49,7 @@ TEST(Fit, finds_a_ramp_and_its_plateau_drawn_by_hand) {
   EXPECT_GT(fit.r_squared, 0.99999);
 }
 
-// k dx a (a+1)(a+2)/6 with k = 0.1, dx = 1 is 2 N at 3.49... mm; then nothing holds the shaft.
+// k dx a (a+1)(a+2)/6 with k = 0.1, dx = 1 is 2 N at 3.49... mm; after the puncture there is no shaft friction.
 TEST(Fit, finds_where_a_cubic_gives_way) {
   const VoigtLaw law(VoigtSum::cubic, 0.1, 0.0, 1.0);
   const double depth_at_yield = law.inverse(2.0);
@@ -83,7 +83,7 @@ TEST(Fit, the_answer_does_not_hang_on_where_it_begins) {
 }
 
 TEST(Fit, says_which_parameters_the_data_do_not_tell) {
-  // Without a rest nothing depends on the time to catch up.
+  // Without a rest, nothing depends on the catch-up time.
   const CurveFit wall =
       fit_curve(with_noise(generated_curve("tracking_wall", tracking, one_way), 0.01, 3), {.model = "tracking_wall"});
   EXPECT_EQ(wall.find("catch_up")->status, ParameterStatus::not_identified);
@@ -91,7 +91,7 @@ TEST(Fit, says_which_parameters_the_data_do_not_tell) {
   EXPECT_EQ(wall.find("catch_up")->value, 0.5);
   EXPECT_EQ(wall.find("force")->status, ParameterStatus::estimated);
 
-  // At one speed a friction in proportion to it is any friction.
+  // At a single speed, friction proportional to it cannot be told from other friction.
   const CurveFit friction = fit_curve(
       with_noise(generated_curve("shaft_friction", {0.015, 0.06, 0.0003, 0.015, 5.0, 0.0}, one_way), 0.002, 4),
       {.model = "shaft_friction", .fix = {{"static", 0.0}}});
@@ -167,7 +167,7 @@ TEST(Fit, refuses_requests_that_do_not_fit_the_model) {
   EXPECT_THAT(with([](auto& r) { r.resolution = -1.0; }), HasSubstr("--resolution"));
 }
 
-// Everything between <NAME ...> and its end, itself included.
+// The element <NAME ...> with its end tag.
 std::string element_of(const std::string& document, const std::string& name) {
   const std::size_t begin = document.find("<" + name);
   if (begin == std::string::npos) return "";

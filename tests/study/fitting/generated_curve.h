@@ -11,14 +11,13 @@ namespace bodkin {
 
 using namespace bodkin::study;
 
-// A stretch of a needle's way at one speed; a stop where the speed is 0.
+// A stretch of a needle's motion at constant speed; a rest if the speed is 0.
 struct Stretch {
   double speed = 0.0;     // mm/s, negative: out
   double duration = 0.0;  // s
 };
 
-// What a sensor at `rate` (Hz) would measure of a model with known values, without noise, from 0.5 mm before the
-// skin.
+// The noise-free readings of a sensor at `rate` (Hz) on a model with known values, beginning 0.5 mm before the skin.
 inline MeasuredCurve generated_curve(const std::string& model, const std::vector<double>& values,
                                      const std::vector<Stretch>& way, double rate = 100.0) {
   MeasuredCurve curve;

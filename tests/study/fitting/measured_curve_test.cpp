@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// A table of 20 rows: header, and a row's text for its number.
+// A table of `rows` rows: a header, and each row's text from its number.
 std::string table(const std::string& header, const std::function<std::string(int)>& row, int rows = 20) {
   std::string text = header + "\n";
   for (int i = 0; i < rows; ++i) text += row(i) + "\n";
@@ -55,7 +55,7 @@ TEST(MeasuredCurve, needs_no_times_but_then_a_speed) {
   EXPECT_THROW(sample_times(curve, std::nullopt), InputError);
   const std::vector<double> times = sample_times(curve, 2.0);
   EXPECT_THAT(std::vector<double>(times.begin(), times.begin() + 3), ElementsAre(0.0, 0.5, 1.0));
-  EXPECT_EQ(times.back(), 9.5);  // out again: time goes on
+  EXPECT_EQ(times.back(), 9.5);  // out again: time continues
 }
 
 TEST(MeasuredCurve, refuses_what_is_not_such_a_table) {

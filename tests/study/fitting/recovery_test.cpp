@@ -1,4 +1,4 @@
-// Known parameters, noise, and the question whether the stated intervals hold them as often as they say.
+// Known parameters with noise: do the stated intervals contain them as often as they claim?
 #include <cstdio>
 #include <ostream>
 #include <string>
@@ -30,9 +30,9 @@ struct Recovery {
 
 class Recovers : public ::testing::TestWithParam<Recovery> {};
 
-// In, a rest, partly out, deeper in at another speed.
+// In, a rest, partly out, deeper at another speed.
 const std::vector<Stretch> there_and_back = {{10.0, 0.9}, {0.0, 0.2}, {-15.0, 0.25}, {20.0, 0.45}};
-// The same and out to the end.
+// In, partly out, deeper, and out to the end.
 const std::vector<Stretch> and_out = {{10.0, 0.9}, {-15.0, 0.25}, {20.0, 0.45}, {-20.0, 0.2}, {-8.0, 0.3}};
 // Slow and fast, for friction that depends on speed.
 const std::vector<Stretch> many_speeds = {{20.0, 0.5}, {3.0, 0.7}, {-4.0, 0.4}, {8.0, 0.4}, {2.0, 0.3}};
@@ -58,7 +58,7 @@ TEST_P(Recovers, the_parameters_within_the_stated_intervals) {
     held += all ? 1 : 0;
     EXPECT_NEAR(fit.rmse, known.noise, 0.2 * known.noise) << "trial " << trial;
   }
-  // 95 of 100; of fewer trials as many as a right interval misses at most once in a thousand.
+  // 95 of 100; with fewer trials, a correct interval gives fewer than the limit at most once in a thousand runs.
   EXPECT_GE(held, trials == 100 ? 95 : trials - 4);
   if (trials < 100) std::printf("%d trials instead of 100: a sanitizer makes each ten times as slow\n", trials);
   std::string said;

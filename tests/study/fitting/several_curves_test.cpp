@@ -1,5 +1,5 @@
-// Several curves, stacks, needles and models at once, on curves that a script in another language has drawn from the
-// papers' equations (measured_by_others.py).
+// Several curves, stacks, needles and models at once, on curves computed from the papers' equations by a script in
+// another language (measured_by_others.py).
 #include <cmath>
 #include <functional>
 #include <string>
@@ -94,7 +94,7 @@ TEST_F(CurvesOfOthers, the_criterion_chooses_the_model_that_drew_the_curve) {
 }
 
 TEST(SeveralCurves, share_one_set_of_values) {
-  // The first alone never rests, so that it tells nothing of the catch-up time; the second is short.
+  // The first curve never rests and so gives no information on the catch-up time; the second is short.
   const std::vector<double> values = {0.8, 1.2, 0.4, 0.0};
   const std::vector<MeasuredCurve> curves = {
       with_noise(generated_curve("tracking_wall", values, {{10.0, 1.0}}), 0.02, 1),
@@ -164,7 +164,7 @@ TEST(SeveralCurves, stacks_and_needles_that_make_no_sense_are_refused) {
       fit_curve(curve, request);
     });
   };
-  EXPECT_THAT(stack("fracture", {0.0, 3.0}), HasSubstr("knows one tissue and no layers"));
+  EXPECT_THAT(stack("fracture", {0.0, 3.0}), HasSubstr("has one tissue and no layers"));
   EXPECT_THAT(stack("tracking_wall", {1.0, 3.0}), HasSubstr("expected 0, the skin, first"));
   EXPECT_THAT(stack("tracking_wall", {0.0, 3.0, 3.0}), HasSubstr("expected depths that rise"));
   const auto law = [](const std::vector<PunctureOfNeedle>& points) {

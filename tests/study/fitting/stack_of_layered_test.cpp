@@ -1,4 +1,4 @@
-// Stacks of `layered`: each layer gives way by a jump of its own. The curves are those of a script in another
+// Stacks of `layered`: the force drops at each layer's own puncture. The curves come from a script in another
 // language.
 #include <cstdio>
 #include <functional>
@@ -30,7 +30,7 @@ constexpr int pairs = 100;
 
 using StackOfLayered = CurvesOfOthers;
 
-// Of `heng` in measured_by_others.py: skin, muscle, ligament.
+// The values of `heng` in measured_by_others.py: skin, muscle, ligament.
 const std::vector<std::pair<std::string, double>> truth = {
     {"stiffness_1", 0.05},        {"stiffness_2", 0.03},  {"stiffness_3", 0.12},        {"break_force_1", 1.1},
     {"break_force_2", 0.6},       {"break_force_3", 2.0}, {"dynamic_friction_1", 0.02}, {"dynamic_friction_2", 0.01},
@@ -58,7 +58,7 @@ TEST_F(StackOfLayered, has_the_truth_in_its_intervals_in_95_of_100_pairs_of_curv
     EXPECT_NEAR(fit.rmse, 0.01, 0.002) << "trial " << trial;
     ASSERT_EQ(fit.yields_at.size(), 3U);
   }
-  // 95 of 100; of fewer pairs as many as a right interval misses at most once in a thousand.
+  // 95 of 100; with fewer pairs, a correct interval gives fewer than the limit at most once in a thousand runs.
   EXPECT_GE(held, pairs == 100 ? 95 : pairs - 3);
   std::printf("all held in %d of %d; alone:", held, pairs);
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -110,7 +110,8 @@ TEST_F(StackOfLayered, the_criterion_prefers_it_where_it_drew_the_curve) {
   EXPECT_EQ(choice.fits.front().model, "layered");
   EXPECT_EQ(choice.fits.size() + choice.refused.size(), fit_models().size());
   for (const CurveFit& fit : choice.fits)
-    EXPECT_EQ(fit.find("from_3") != nullptr, has_layers(fit.model)) << fit.model << ": the others as one tissue";
+    EXPECT_EQ(fit.find("from_3") != nullptr, fit_model(fit.model).stack != nullptr)
+        << fit.model << ": the others as one tissue";
 }
 
 TEST_F(StackOfLayered, its_elements_are_what_a_tissue_library_reads) {
@@ -154,11 +155,11 @@ TEST(StackOfLayeredErrors, depths_between_its_steps_and_wrong_names_are_refused)
   EXPECT_THROW(fit_curve(untimed, {.model = "layered", .layers = {0.0, 3.0}}), InputError);
 }
 
-// By hand: falls at samples 50, 90 and 120, the first before the second layer is met.
+// By hand: drops at samples 50, 90 and 120, the first before the second layer is met.
 TEST(LayerFalls, each_fall_belongs_to_a_layer_that_was_met) {
   EXPECT_THAT(shares_of_falls({{120, 3}, {90, 2}, {50, 1}}, 3, 9), ElementsAre(ElementsAre(50, 90, 120)));
   EXPECT_THAT(shares_of_falls({{120, 2}, {90, 2}}, 2, 9), ElementsAre(ElementsAre(90, 120), ElementsAre(120, 90)));
-  // The third largest cannot be explained beside the two others, the smallest can.
+  // The third largest drop cannot be explained together with the two largest; the smallest can.
   EXPECT_THAT(shares_of_falls({{50, 1}, {90, 2}, {95, 2}, {120, 3}}, 3, 9), ElementsAre(ElementsAre(50, 90, 120)));
   EXPECT_THAT(shares_of_falls({{90, 2}}, 2, 9), ElementsAre(ElementsAre(90, 0), ElementsAre(0, 90)));
   EXPECT_THAT(shares_of_falls({}, 2, 9), ElementsAre(ElementsAre(0, 0)));
