@@ -13,29 +13,29 @@ bool returns_within(std::chrono::milliseconds limit, std::function<void()> call,
     std::mutex mutex;
     std::condition_variable changed;
     bool returned = false;
-    bool given_up = false;
+    bool abandoned = false;
   };
   const auto meeting = std::make_shared<Meeting>();
   std::thread caller([meeting, call = std::move(call), late = std::move(late)]() mutable {
     call();
-    call = nullptr;  // what it owns goes before the caller reads the result
-    bool given_up = false;
+    call = nullptr;  // destroys its resources before the caller reads the result
+    bool abandoned = false;
     {
       const std::lock_guard lock(meeting->mutex);
       meeting->returned = true;
-      given_up = meeting->given_up;
+      abandoned = meeting->abandoned;
       meeting->changed.notify_all();
     }
-    if (given_up && late) late();
+    if (abandoned && late) late();
   });
 
   std::unique_lock lock(meeting->mutex);
   if (meeting->changed.wait_for(lock, limit, [&] { return meeting->returned; })) {
     lock.unlock();
-    caller.join();  // which has nothing left to do
+    caller.join();  // which has no work left
     return true;
   }
-  meeting->given_up = true;
+  meeting->abandoned = true;
   caller.detach();
   return false;
 }

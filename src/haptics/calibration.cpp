@@ -22,10 +22,10 @@ constexpr double smallest_swivel = 20.0;    // deg
 constexpr double largest_residual = 2.0;    // mm
 constexpr double largest_unrest = 5.0;      // deg
 constexpr double shortest_stroke = 40.0;    // mm
-constexpr double straightness = 4.0;        // times as long as wide
+constexpr double straightness = 4.0;        // length over width
 constexpr double largest_weight = 5.0;      // N
-constexpr double smallest_weight = 0.02;    // N; less is taken for no weight
-constexpr double least_follow_share = 0.2;  // of the way asked for
+constexpr double smallest_weight = 0.02;    // N; less counts as no weight
+constexpr double least_follow_share = 0.2;  // of the requested way
 
 [[noreturn]] void refuse(const char* what, double found, const char* rest) {
   std::ostringstream text;
@@ -40,7 +40,7 @@ void require_readings(std::span<const Pose> readings) {
   }
 }
 
-// The two largest extents of the tool's turning, deg: standard deviations, doubled, of the rotation vectors from the
+// The two largest extents of the tool's rotation, deg: standard deviations, doubled, of the rotation vectors from the
 // mean pose.
 Eigen::Vector3d swivel_of(std::span<const Pose> readings) {
   const Mat3 first = readings.front().linear();
@@ -91,9 +91,8 @@ TipFit tip_of(std::span<const Pose> readings) {
     refuse("the tool was turned by ", swivel,
            " degrees, expected 20 or more about two axes; swivel it wider while the tip stays in its place");
   }
-  // p + H o = c for every reading. With c the mean of the left sides, what is left is three equations for o: with the
-  // mean rotation M and the mean position m, (1 - M^T M) o = M^T m - mean(H^T p), whose matrix the swivel makes
-  // regular.
+  // p + H o = c for every reading. With c the mean of the left sides, three equations for o remain: with the mean
+  // rotation M and the mean position m, (1 - M^T M) o = M^T m - mean(H^T p), whose matrix the swivel makes regular.
   Mat3 turn = Mat3::Zero();
   Vec3 position = Vec3::Zero(), turned_back = Vec3::Zero();
   for (const Pose& hand : readings) {
@@ -185,7 +184,7 @@ WeightFit weight_of(double from_below, double from_above) {
            "compensation is as you use it");
   }
   if (fit.friction > std::max(largest_weight / 5.0, fit.weight)) {
-    refuse("lifted and lowered, the handle differs by ", 2.0 * fit.friction,
+    refuse("between lifting and lowering, the handle's weight differs by ", 2.0 * fit.friction,
            " N; leave it alone while it is weighed");
   }
   fit.weight = fit.weight < smallest_weight ? 0.0 : fit.weight;

@@ -24,13 +24,13 @@ constexpr std::int64_t second = 1'000'000'000;  // ns
 constexpr int fifo_priority = 50;
 constexpr unsigned long default_timer_slack = 0;  // ns; 0 asks for the system's own again
 
-// How to have it next time.
+// Advice for the next run.
 std::string permit(const char* limit) {
   return std::string("; permit it with the line '@realtime - ") + limit +
          "' in /etc/security/limits.d/bodkin.conf, add yourself to the group realtime and log in again";
 }
 
-// Locking less memory than the program will need would make its later allocations fail.
+// Locking less memory than the program needs would make later allocations fail.
 bool may_lock_any_memory() noexcept {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0) {
@@ -43,7 +43,7 @@ bool may_lock_any_memory() noexcept {
   return syscall(SYS_capget, &header, sets) == 0 && (sets[0].effective & 1U << CAP_IPC_LOCK) != 0;
 }
 
-// Of the whole program.
+// For the whole program.
 std::mutex locks_mutex;
 int locks = 0;
 

@@ -6,10 +6,9 @@
 
 namespace bodkin::haptics {
 
-// Wakes a servo thread at absolute moments of the monotonic clock, `period` apart, and counts the wake-ups that came
-// too late to do a tick's work in time. What is late is never caught up in a burst: deadlines that have gone by are
-// left out, and between a wake-up and the next deadline there is always half a period at least. wait() neither locks
-// nor allocates.
+// Wakes a servo thread at absolute times of the monotonic clock, `period` apart, and counts the wake-ups that came
+// too late for a tick's work. Late ticks are never caught up in a burst: missed deadlines are skipped, and between a
+// wake-up and the next deadline there is always at least half a period. wait() neither locks nor allocates.
 class DeadlineClock {
  public:
   // `period`: s, > 0.
@@ -37,8 +36,8 @@ class DeadlineClock {
   std::int64_t worst_ = 0;
 };
 
-// Keeps the memory of the program in place while it lives, so that no tick waits for the disk. Several may live at a
-// time: the memory is let go with the last. Any thread.
+// Locks the memory of the program in RAM during its lifetime, so that no tick waits for the disk. Several objects may
+// exist at a time: the last one unlocks the memory. Any thread.
 class LockedMemory {
  public:
   LockedMemory();
@@ -52,8 +51,8 @@ class LockedMemory {
   bool locked_ = false;
 };
 
-// Asks the system to run the calling thread ahead of others (SCHED_FIFO, memory locked, fine timers) while it lives.
-// What the system does not grant is listed, one sentence each, and the thread runs on without it.
+// Requests priority over other threads for the calling thread (SCHED_FIFO, memory locked, fine timers) during its
+// lifetime. Refused requests are listed, one sentence each, and the thread runs without them.
 class RealTimePriority {
  public:
   RealTimePriority();
@@ -69,12 +68,12 @@ class RealTimePriority {
   std::vector<std::string> refused_;
 };
 
-// Lets the calling thread, a vendor's, run ahead of others for as long as it lives, unless the vendor has seen to it.
-// Neither locks nor allocates. False: the system does not grant it.
+// Raises the priority of the calling thread, a vendor's, for its lifetime, unless the vendor has done so. Neither
+// locks nor allocates. False: the system refused.
 bool raise_this_thread() noexcept;
 
-// What the system would not grant a servo thread of this program, one sentence each, tried out in a thread that has
-// ended when this returns.
+// The requests that the system would refuse to a servo thread of this program, one sentence each, tried in a thread
+// that has ended when this returns.
 std::vector<std::string> real_time_refusals();
 
 }  // namespace bodkin::haptics

@@ -8,10 +8,10 @@ namespace bodkin::haptics {
 namespace {
 constexpr double pulse_on_time = 0.020;          // s of force in a pulse
 constexpr double pulse_time = 0.160;             // s from one to the next
-constexpr double fit_time = 0.016;               // s of the response that is looked at
+constexpr double fit_time = 0.016;               // s of the response that are examined
 constexpr double probe_drift_share = 0.05;       // of the change from tick to tick that enters the drift
-constexpr double fit_from = 0.1, fit_to = 0.75;  // of the way made in that time, through which the line is laid
-constexpr double least_way = 0.015;              // mm that the hand must have followed
+constexpr double fit_from = 0.1, fit_to = 0.75;  // of the way made in that time, between which the line is fitted
+constexpr double least_way = 0.015;              // mm that the hand must have moved
 constexpr double longest_found_delay = 0.012;    // s
 }  // namespace
 

@@ -33,7 +33,7 @@ void must_succeed(const bodkin_driver& driver, int result, const Message& messag
 
 [[noreturn]] void gave_up(const bodkin_driver& driver, const char* call, std::chrono::milliseconds patience) {
   throw DeviceError(DeviceFault::communication_lost, std::string(driver.name) +
-                                                         ": the vendor's software has not come back from " + call +
+                                                         ": the vendor's software has not returned from " + call +
                                                          " within " + std::to_string(patience.count() / 1000) +
                                                          " s: unplug the device, plug it in and start Bodkin again");
 }
@@ -64,7 +64,7 @@ std::vector<FoundDevice> list_devices(const bodkin_driver& driver, const std::st
   return std::move(search->found);
 }
 
-// What the port, the vendor's thread and given-up calls share.
+// State shared by the port, the vendor's thread and abandoned calls.
 struct DevicePort::Shared {
   Shared(const bodkin_driver& its_driver, std::string its_identity, std::string its_settings)
       : driver(its_driver), identity(std::move(its_identity)), settings(std::move(its_settings)) {}
@@ -77,7 +77,7 @@ struct DevicePort::Shared {
   int result = BODKIN_OK;
 
   // A gate before the tick and before the exchange: no call passes once it is shut, and the thread that shuts it can
-  // wait for the one who is inside.
+  // wait for the call inside.
   std::atomic<bool> shut{true};
   std::atomic<bool> inside{false};
   std::atomic<std::uint64_t> ticks{0};
@@ -135,7 +135,7 @@ DevicePort::DevicePort(const bodkin_driver& driver, const std::string& identity,
   must_succeed(driver, shared_->result, shared_->message);
   if (shared_->handle == nullptr) {
     throw DeviceError(DeviceFault::vendor_error,
-                      std::string(driver.name) + ": the driver opened nothing, and said it had");
+                      std::string(driver.name) + ": the driver opened no device, although it reported success");
   }
   abilities_ = abilities_from(shared_->abilities);
 }
@@ -154,9 +154,9 @@ DevicePort::~DevicePort() {
 void DevicePort::close() noexcept {
   if (shared_ == nullptr) return;
   shared_->shut.store(true);
-  // A round that hangs in the vendor's call has read this object: that comes before its end.
+  // A round that hangs in the vendor's call has read this object, before its end.
   static_cast<void>(shared_->inside.load());
-  if (lost_) return;  // the given-up call closes the device, if it ever returns
+  if (lost_) return;  // the abandoned call closes the device, if it ever returns
   try {
     returns_within(patience_, [shared = shared_] { shared->stop_and_close(); }, {});
   } catch (...) {

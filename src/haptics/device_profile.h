@@ -8,12 +8,12 @@
 
 namespace bodkin::haptics {
 
-// A number that a device is known for. 0 where nothing is known.
+// A known quantity of a device. 0: unknown.
 enum class DeviceQuantity : std::uint8_t {
   peak_force,        // N
   continuous_force,  // N
   peak_torque,       // N mm
-  stiffness,         // N/mm that it renders stably
+  stiffness,         // N/mm, rendered stably
   damping,           // N s/mm
   resolution,        // mm
   workspace_x,       // mm, side of the usable box: to the operator's right,
@@ -24,7 +24,7 @@ enum class DeviceQuantity : std::uint8_t {
 };
 inline constexpr std::size_t device_quantities = 11;
 
-// How far a number can be relied on.
+// How reliable a number is.
 enum class Provenance : std::uint8_t {
   unknown,    // no number was found
   paper,      // printed in a publication
@@ -33,7 +33,7 @@ enum class Provenance : std::uint8_t {
   derived     // computed from such a number
 };
 
-// One number with where it comes from.
+// One number with its source.
 struct ProfileValue {
   double value = 0.0;
   Provenance provenance = Provenance::unknown;
@@ -41,10 +41,10 @@ struct ProfileValue {
   std::string remark;
 };
 
-// What is known of a model of device beforehand; what the device itself reports counts more.
+// Prior knowledge of a model of device; values that the device itself reports take precedence.
 struct DeviceProfile {
   std::string name;                      // "Touch"
-  std::vector<std::string> other_names;  // what its driver may call it: "PHANTOM Omni"
+  std::vector<std::string> other_names;  // used by its driver: "PHANTOM Omni"
   std::array<ProfileValue, device_quantities> values;
 
   const ProfileValue& of(DeviceQuantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }

@@ -14,8 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The guard's ramp takes 20 ms of ticks that arrive. A loop that gives none for as long as this is not waited for,
-// and one whose ticks come slowly ends at the latest after the second time.
+// The guard's ramp takes 20 ms of ticks. The wait ends if no tick arrives for the first time, and at the latest after
+// the second.
 constexpr std::chrono::milliseconds longest_silence{40};
 constexpr std::chrono::milliseconds longest_ramp{120};
 constexpr std::chrono::microseconds look_interval{500};
@@ -34,13 +34,13 @@ struct DeviceServo::Shared final : DeviceTick {
   Shared(DevicePort opened, const DeviceAbilities& known, const ServoSettings& settings, Controller controller)
       : port(std::move(opened)), servo(guarded(settings, known), std::move(controller)) {}
 
-  // In the vendor's thread.
+  // Runs in the vendor's thread.
   Wrench tick(const DeviceState& state, double dt) noexcept override {
     if (!raised) raise_this_thread();
     raised = true;
-    return told(servo.step(state, dt));
+    return publish_step(servo.step(state, dt));
   }
-  Wrench told(const Wrench& applied) noexcept {
+  Wrench publish_step(const Wrench& applied) noexcept {
     const bool at_rest = applied.force.isZero(0.0) && applied.torque.isZero(0.0);
     pushes.store(!at_rest, std::memory_order_release);
     steps.fetch_add(1, std::memory_order_release);
@@ -89,7 +89,7 @@ void DeviceServo::start(bool require_real_time) {
       settings,
       [shared = shared_](const Wrench& command, DeviceState& state) { shared->port.exchange(command, state); },
       [shared = shared_](const DeviceState& state, double dt, double lateness) {
-        return shared->told(shared->servo.step(state, dt, lateness));
+        return shared->publish_step(shared->servo.step(state, dt, lateness));
       });
   thread_->start();
   refused_ = thread_->refused();
@@ -104,7 +104,7 @@ bool DeviceServo::stop() noexcept {
   try {
     if (answered) shared_->port.stop();
   } catch (const std::exception&) {
-    answered = false;  // the port has given the call up and ends the force when the device comes back
+    answered = false;  // the port has abandoned the call and ends the force when the device returns
   }
   memory_.reset();
   return answered;

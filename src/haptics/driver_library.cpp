@@ -53,7 +53,7 @@ std::string file_of(void* handle, const std::string& otherwise) {
 
 DriverLibrary::DriverLibrary(const LibraryPlaces& places) : product_(places.product), advice_(places.advice) {
   std::string tried;
-  std::string broken;  // what the system says of a library that is there and does not load
+  std::string broken;  // the system's message about a library that exists but does not load
   const std::vector<std::string> chosen = {places.chosen};
   for (const std::string& place : places.chosen.empty() ? places.places : chosen) {
     const std::optional<std::string> known = expanded(place);
@@ -70,7 +70,7 @@ DriverLibrary::DriverLibrary(const LibraryPlaces& places) : product_(places.prod
       return;
     }
     tried += (tried.empty() ? "" : ", ") + file;
-    // A library that is there begins its error with its own path too, so ask the disk; one found by its bare name
+    // An error about an existing library begins with its own path too, so ask the disk; one found by its bare name
     // complains about another file.
     const bool there = file.find('/') == std::string::npos ? !error.starts_with(file + ":") : fs::exists(file);
     if (broken.empty() && there) broken = std::move(error);

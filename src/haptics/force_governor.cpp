@@ -48,7 +48,7 @@ Vec3 ForceGovernor::limit_slew(const Vec3& wanted) noexcept {
   return change.value;
 }
 
-// Called after the force, whose trouble is the torque's too.
+// Called after the force, whose faults also apply to the torque.
 void ForceGovernor::step_torque(const Vec3& wanted) noexcept {
   if (!failed_ && !(wanted.allFinite() && std::isfinite(wanted.squaredNorm()))) {
     fail();
@@ -61,7 +61,7 @@ void ForceGovernor::step_torque(const Vec3& wanted) noexcept {
   const ForceChange change = approach(torque_, wanted, settings_.torque_slew * (ramping_ ? 0.1 : 1.0) * settings_.dt);
   if (change.limited) flags_ |= force_limit::slew;
   torque_ = settings_.peak_torque > 0.0 ? limit_size(change.value, settings_.peak_torque, force_limit::peak)
-                                        : Vec3(Vec3::Zero());  // a device without torques lacks them, at no fault
+                                        : Vec3(Vec3::Zero());  // lacking torques is no fault
 }
 
 Vec3 ForceGovernor::limit_size(const Vec3& force, double size, std::uint8_t flag) noexcept {

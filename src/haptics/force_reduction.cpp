@@ -11,17 +11,19 @@ namespace bodkin::haptics {
 namespace {
 constexpr double half_force = 0.5, quarter_force = 0.25;
 constexpr double calming_window = 0.025;  // s
-constexpr double still_shakes = 0.33;     // of the shaking's usual way, for some swings of an uneven one are narrow
-constexpr double calm_after = 10.0;       // s after which the whole force comes back
-constexpr double force_return = 1.0;      // s that this takes
-constexpr double shortest_watch = 0.1;    // s for which the motion decides about the next step; one cycle at least
-constexpr double turns_within = 0.055;    // s, two windows and a late tick
+constexpr double oscillating_fraction =
+    0.33;                            // of the oscillation's mean coverage, as some swings of an uneven one are narrow
+constexpr double calm_after = 10.0;  // s after which the whole force returns
+constexpr double force_return = 1.0;    // s that this takes
+constexpr double shortest_watch = 0.1;  // s of motion that decide the next step; at least one cycle
+constexpr double turns_within = 0.055;  // s, two windows and a late tick
 
-// The share of its width that a shaking covers in `time`: in the mean, and where it turns in the middle of that time.
-double usual_way(double frequency, double time) noexcept {
+// The fraction of its width that an oscillation covers in `time`: on average, and if it turns in the middle of that
+// time.
+double mean_coverage(double frequency, double time) noexcept {
   return std::min(1.0, 2.0 * frequency * time);
 }
-double way_at_a_turn(double frequency, double time) noexcept {
+double coverage_at_turn(double frequency, double time) noexcept {
   return 0.5 * (1.0 - repeatable::cos(std::numbers::pi * std::min(1.0, frequency * time)));
 }
 }  // namespace
@@ -37,12 +39,12 @@ void ForceReduction::watch_anew() noexcept {
   window_ = all_ = Reach();
 }
 
-ForceReduction::Step ForceReduction::begin(const Shaking& shaking) noexcept {
+ForceReduction::Step ForceReduction::begin(const Oscillation& oscillation) noexcept {
   if (is_on()) return Step::none_left;
   share_ = half_force;
   damps_ = false;
   watching_ = true;
-  shaking_ = shaking;
+  oscillation_ = oscillation;
   watch_anew();
   return Step::softer;
 }
@@ -57,18 +59,18 @@ ForceReduction::Step ForceReduction::step(const Vec3& moved, const Vec3& turned,
   }
   if (!watching_) return Step::none;
   for_ += dt;
-  place_ += shaking_.turns ? turned : moved;
+  place_ += oscillation_.turns ? turned : moved;
   window_.add(place_);
   all_.add(place_);
   if (for_ < calming_window) return Step::none;
-  const double least = still_shakes * shaking_.width;
+  const double least = oscillating_fraction * oscillation_.width;
   const bool turned_only = since_ < turns_within && since_ > for_;  // a slow hand that turns just now hardly moves
-  const bool shakes = window_.most() >= least * usual_way(shaking_.frequency, calming_window) ||
-                      (turned_only && all_.most() >= least * way_at_a_turn(shaking_.frequency, since_));
+  const bool shakes = window_.most() >= least * mean_coverage(oscillation_.frequency, calming_window) ||
+                      (turned_only && all_.most() >= least * coverage_at_turn(oscillation_.frequency, since_));
   for_ = 0.0;
   window_ = {.low = place_, .high = place_};
   if (!shakes) {
-    watching_ = since_ < std::max(shortest_watch, 1.0 / shaking_.frequency);
+    watching_ = since_ < std::max(shortest_watch, 1.0 / oscillation_.frequency);
     return Step::none;
   }
   if (damps_) return Step::none_left;

@@ -21,7 +21,7 @@ GuardSettings guard_settings(const DeviceAbilities& abilities, double rate) {
   settings.workspace_low = abilities.workspace_low;
   settings.workspace_high = abilities.workspace_high;
   if (abilities.stiffness > 0.0) settings.stiffness = abilities.stiffness;
-  // Twice what a wall of the device's own stiffness leaks by being sampled is enough for whatever it renders stably.
+  // Twice the energy that sampling a wall of the device's own stiffness generates suffices for any stable rendering.
   settings.damping =
       abilities.damping > 0.0 ? abilities.damping : std::min(settings.damping, settings.stiffness * settings.dt);
   settings.delay = abilities.measured_delay.value_or(abilities.delay);

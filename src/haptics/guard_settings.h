@@ -9,7 +9,7 @@
 
 namespace bodkin::haptics {
 
-// What HandGuard allows. guard_settings() makes it from what a device reports; the other numbers are choices of this
+// Limits of HandGuard. guard_settings() derives them from a device's report; the other numbers are choices of this
 // project (docs/safety.md gives reasons).
 struct GuardSettings {
   double dt = 0.001;
@@ -31,7 +31,7 @@ struct GuardSettings {
   double stiffness = 1.0;
   double damping = 0.002;
   double thermal_time = 30.0;
-  double delay = 0.0;                // transport alone
+  double delay = 0.0;                // only the transport
   bool sent_with_next_tick = false;  // the loop is ours: a command leaves with the exchange of the next tick
 
   template <typename S = GuardSettings>
@@ -86,10 +86,10 @@ struct GuardSettings {
   }
 };
 
-// Limits for a device: nine tenths of its peaks, its continuous force (15 % of the peak where it is unknown: less
-// than of any device in share/bodkin/devices.csv), its workspace, amplitudes that its encoders can tell from noise,
-// its delay. Damping that comes late damps less, so its bound falls as 2 T / (2 T + delay), T the period. `rate`: Hz
-// at which the guard is called.
+// Limits for a device: nine tenths of its peaks, its continuous force (15 % of the peak if unknown: less than that of
+// any device in share/bodkin/devices.csv), its workspace, amplitudes that its encoders can distinguish from noise,
+// its delay. Late damping damps less, so its bound falls as 2 T / (2 T + delay), T the period. `rate`: Hz at which
+// the guard is called.
 GuardSettings guard_settings(const DeviceAbilities& abilities, double rate);
 
 }  // namespace bodkin::haptics

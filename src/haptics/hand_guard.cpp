@@ -27,13 +27,13 @@ constexpr double workspace_margin = 10.0;  // mm
 constexpr double frozen_force = 0.5;       // N
 constexpr double unpushed_time = 0.1;      // s without force after which a hand shakes by itself
 constexpr double least_push = 0.1;         // N
-constexpr double steady_force = 0.05;      // N by which a force changes that does not shake a hand
-constexpr double force_window = 0.35;      // s over which that is measured: a cycle at least
-constexpr double lever = 30.0;             // mm, on which the tool's turning is watched
+constexpr double steady_force = 0.05;      // N by which a force may change that does not shake a hand
+constexpr double force_window = 0.35;      // s over which that is measured: at least one cycle
+constexpr double lever = 30.0;             // mm, lever on which the tool's rotation is watched
 constexpr double turning_noise = 0.3;      // mm on that lever
-constexpr double useful_phase = 1.0;       // rad by which damping may come late and still damp
+constexpr double useful_phase = 1.0;       // rad by which damping may lag and still damp
 constexpr double warm = 0.75, hot = 0.9;   // of the temperature: continuous force from `hot` on, zero at 1
-constexpr double quiet_time = 0.1;         // s without a limit before its next intervention is an event again
+constexpr double quiet_time = 0.1;         // s without a limit before its next intervention is a new event
 constexpr double never = -1e9;             // s
 
 bool finite(const Wrench& wrench) noexcept {
@@ -44,7 +44,7 @@ Wrench scaled(const Wrench& wrench, double share) noexcept {
   return {wrench.force * share, wrench.torque * share};
 }
 
-// A wall of stiffness K whose force comes d periods late leaks 1 + 2 d times as much as without (stable_stiffness.h).
+// A wall of stiffness K whose force is d periods late leaks 1 + 2 d times as much (stable_stiffness.h).
 double delayed_stiffness(const GuardSettings& settings) noexcept {
   const double late = settings.delay / settings.dt + (settings.sent_with_next_tick ? 1.0 : 0.0);
   return settings.stiffness * (1.0 + 2.0 * late);
@@ -62,12 +62,13 @@ bool is_possible(const Pose& hand) noexcept {
 HandGuard::HandGuard(const GuardSettings& settings)
     : settings_((bodkin::check(settings, "device"), settings)),
       motion_(settings.dt),
-      fast_(fast_shaking(settings.oscillation_amplitude)),
-      driven_(
-          driven_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
-      slow_(slow_shaking(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
+      fast_(fast_oscillation(settings.oscillation_amplitude)),
+      driven_(driven_oscillation(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings),
+                                 settings.dt)),
+      slow_(
+          slow_oscillation(driven_swing * settings.oscillation_amplitude, delayed_stiffness(settings), settings.dt)),
       round_trips_(0.5 * driven_swing * settings.oscillation_amplitude,
-                   slow_shaking(0.0, delayed_stiffness(settings), settings.dt).gain),
+                   slow_oscillation(0.0, delayed_stiffness(settings), settings.dt).gain),
       swings_(settings.oscillation_amplitude),
       turns_(turning_noise),
       passivity_(settings.damping),
@@ -85,7 +86,7 @@ void HandGuard::report(GuardReason reason, double value, double limit, GuardReas
   events_.push({tick_, time_, reason, cause, fault, state_, value, limit});
 }
 
-// Limits come in spells; the beginning of each is an event.
+// A limit acts in spells; the beginning of each is an event.
 void HandGuard::limit_by(GuardReason reason, double value, double limit) noexcept {
   const auto index = static_cast<std::size_t>(reason);
   limits_ |= 1U << index;
@@ -105,7 +106,7 @@ void HandGuard::fail(GuardReason reason, double value, double limit, DeviceFault
   const bool sound = reason == GuardReason::not_finite || reason == GuardReason::stale_fault ||
                      reason == GuardReason::controller_failed || reason == GuardReason::frozen ||
                      reason == GuardReason::oscillation;
-  // A device that fails while a force fades takes the rest of it.
+  // A device that fails during the fading of a force ends it at once.
   if (is_armed() || !sound) end_force(!sound);
   state_ = GuardState::faulted;
   fault_ = reason;
@@ -137,7 +138,7 @@ void HandGuard::ramp_from_zero() noexcept {
   reduction_.reset();
 }
 
-// A simulation that is late is bridged for a while.
+// A late simulation is bridged for a while.
 void HandGuard::watch_age(double age) noexcept {
   if (!(age <= fault_after)) {
     fail(GuardReason::stale_fault, age, fault_after);
@@ -151,7 +152,7 @@ void HandGuard::watch_age(double age) noexcept {
   }
 }
 
-// What the hand's motion says. Called while armed.
+// Evaluates the hand's motion. Called while armed.
 void HandGuard::watch_hand(double dt) noexcept {
   fast_ticks_ = motion_.speed() > settings_.speed_limit ? fast_ticks_ + 1 : 0;
   if (motion_.jumped()) return fail(GuardReason::jump, motion_.moved().norm(), 0.0);
@@ -159,14 +160,14 @@ void HandGuard::watch_hand(double dt) noexcept {
   if (motion_.mean_speed() > settings_.speed_limit) {
     return fail(GuardReason::too_fast, motion_.mean_speed(), settings_.speed_limit);
   }
-  // It begins under force, and nothing but motion ends it: a tissue that relaxes, or a pause of the ticks after which
-  // the force is brought in anew, must not give readings that stand still another half second.
+  // It begins under force, and only motion ends it: a relaxing tissue, or a pause of the ticks followed by a new
+  // ramp, must not give frozen readings another half second.
   const bool begins = applied_.force.norm() > frozen_force;
   still_for_ = motion_.is_still() && (begins || still_for_ > 0.0) ? still_for_ + dt : 0.0;
   if (settings_.frozen_time > 0.0 && still_for_ > settings_.frozen_time) {
     return fail(GuardReason::frozen, still_for_, settings_.frozen_time);
   }
-  watch_shaking(dt);
+  watch_oscillation(dt);
 }
 
 void HandGuard::calm(ForceReduction::Step step) noexcept {
@@ -174,11 +175,11 @@ void HandGuard::calm(ForceReduction::Step step) noexcept {
     case ForceReduction::Step::none:
       return;
     case ForceReduction::Step::softer:
-      return limit_by(GuardReason::halved, reduction_.shaking().frequency, 0.0);
+      return limit_by(GuardReason::halved, reduction_.oscillation().frequency, 0.0);
     case ForceReduction::Step::damped:
-      return limit_by(GuardReason::damping, reduction_.shaking().frequency, 0.0);
+      return limit_by(GuardReason::damping, reduction_.oscillation().frequency, 0.0);
     case ForceReduction::Step::none_left:
-      return fail(GuardReason::oscillation, reduction_.shaking().frequency);
+      return fail(GuardReason::oscillation, reduction_.oscillation().frequency);
   }
 }
 
@@ -196,12 +197,12 @@ void HandGuard::watch_range(double dt) noexcept {
   window_for_ = 0.0;
 }
 
-// What shakes, by whichever watch finds it; none: a frequency of 0.
-Shaking HandGuard::find_shaking(double dt) noexcept {
-  const auto of = [](const auto& watch, bool turns) { return Shaking{watch.frequency(), watch.width(), turns}; };
+// The oscillation found by any watch; none: a frequency of 0.
+Oscillation HandGuard::find_oscillation(double dt) noexcept {
+  const auto of = [](const auto& watch, bool turns) { return Oscillation{watch.frequency(), watch.width(), turns}; };
   const bool fast = fast_.step(motion_.moved(), held_force_, dt);
-  // What the tissue does counts, not what damping makes of it: damping that has to work in every cycle hides a
-  // shaking hand without ending it.
+  // Judged by the tissue's force before damping: damping that works in every cycle hides an oscillating hand without
+  // ending the oscillation.
   const Vec3 of_tissue = held_force_ - held_damping_;
   const bool driven = driven_.step(motion_.moved(), of_tissue, dt);
   const bool slow = slow_.step(motion_.moved(), of_tissue, dt);
@@ -221,29 +222,29 @@ Shaking HandGuard::find_shaking(double dt) noexcept {
   if (slow) return of(slow_, false);
   if (uneven) return of(round_trips_, false);
   if (unpushed_for_ > unpushed_time) return {};
-  // A small swing that lasts under a force that stays the same is the hand's own.
+  // A small swing that continues under a constant force is the hand's own.
   if (fast_or_wide || (swings_.lasts() && force_range_.last > steady_force)) return of(swings_, false);
   if (turns_fast_or_wide || (turns_.lasts() && torque_range_.last > lever * steady_force)) return of(turns_, true);
   return {};
 }
 
-// Whether the force shakes the hand. Called while armed.
-void HandGuard::watch_shaking(double dt) noexcept {
+// Detects whether the force makes the hand oscillate. Called while armed.
+void HandGuard::watch_oscillation(double dt) noexcept {
   calm(reduction_.step(motion_.moved(), lever * motion_.turned(), dt));
   if (!is_armed()) return;
-  const Shaking seen = find_shaking(dt);
+  const Oscillation seen = find_oscillation(dt);
   if (seen.frequency == 0.0 || reduction_.is_watching()) return;
   calm(reduction_.begin(seen));
   swings_.reset();
   turns_.reset();
 }
 
-// N s/mm with which a hand that goes on shaking is damped: none where it would come so late that it drives the hand.
+// N s/mm of damping for a hand that keeps shaking: none if it would be so late that it drives the hand.
 double HandGuard::calming_damping() const noexcept {
   if (!reduction_.damps()) return 0.0;
   const double period = settings_.dt * (settings_.sent_with_next_tick ? 1.0 : 0.0);
   const double late = settings_.delay + period + 2.0 * settings_.dt;  // half a hold, half of 3 ms of velocity
-  return 2.0 * std::numbers::pi * reduction_.shaking().frequency * late < useful_phase ? settings_.damping : 0.0;
+  return 2.0 * std::numbers::pi * reduction_.oscillation().frequency * late < useful_phase ? settings_.damping : 0.0;
 }
 
 // Everything that ends the force.
@@ -320,9 +321,9 @@ double HandGuard::workspace_share(const Vec3& position) noexcept {
   return std::max(0.0, 1.0 - outside / workspace_margin);
 }
 
-// Of the bound: the continuous force from `hot` on, nothing at 1.
+// Share of the bound: the continuous force from `hot` on, 0 at 1.
 double HandGuard::heat_share(double temperature) noexcept {
-  if (!(temperature > warm)) return 1.0;  // also for devices that tell none
+  if (!(temperature > warm)) return 1.0;  // also for devices without a thermometer
   limit_by(GuardReason::hot, temperature, warm);
   const double continuous = std::min(1.0, settings_.continuous_force / std::max(bound(), 1e-9));
   if (temperature <= hot) return 1.0 + (temperature - warm) / (hot - warm) * (continuous - 1.0);
@@ -331,13 +332,13 @@ double HandGuard::heat_share(double temperature) noexcept {
 
 void HandGuard::fade(double dt) noexcept {
   faded_ = std::min(1.0, faded_ + dt / settings_.fade_time);
-  // Zero is zero: a share that is off by a rounding must not leave a femtonewton.
+  // Zero is zero: rounding of the share must not leave a femtonewton.
   applied_ = faded_ < 1.0 - 1e-9 ? scaled(fading_, 1.0 - faded_) : Wrench{};
 }
 
-// Called while armed: from what is wanted to what leaves.
+// Called while armed: from the requested force to the sent one.
 void HandGuard::apply(const DeviceState& device, const GuardInput& input, double dt) noexcept {
-  const double step = std::min(dt, 2.0 * settings_.dt);  // a late tick does not entitle to a larger step
+  const double step = std::min(dt, 2.0 * settings_.dt);  // a late tick does not allow a larger step
   if (state_ == GuardState::ramping) {
     ramp_ += step / settings_.ramp_time;
     if (ramp_ >= 1.0) {
@@ -355,16 +356,16 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
     wanted = scaled(input.wanted, ramp_ * reduction_.share());
   }
   const double inside = workspace_share(device.hand.translation());
-  const Vec3 wished = inside * wanted.force;
-  // A force that is on its way to zero is not held up by damping.
+  const Vec3 desired = inside * wanted.force;
+  // Damping does not delay a force on its way to zero.
   const double alive = state_ == GuardState::holding ? 0.0 : ramp_ * reduction_.share() * inside;
-  // What shakes is damped: the hand, or the tool's turning as the motion of the end of its lever.
+  // Damps the oscillation of the hand, or of the tool's rotation as motion of the end of its lever.
   const double calmed = calming_damping();
-  const bool turns = reduction_.shaking().turns && settings_.peak_torque > 0.0;
+  const bool turns = reduction_.oscillation().turns && settings_.peak_torque > 0.0;
   const Vec3 turn_damping = (turns ? alive * calmed * lever * lever : 0.0) * motion_.recent_turning();
-  wanted = {passivity_.damped(wished, motion_.recent_velocity(), dt, alive, turns ? 0.0 : calmed),
+  wanted = {passivity_.damped(desired, motion_.recent_velocity(), dt, alive, turns ? 0.0 : calmed),
             inside * wanted.torque - turn_damping};
-  damped_ = wanted.force - wished;
+  damped_ = wanted.force - desired;
   if (!passivity_.damping().isZero(0.0) && !reduction_.damps())
     limit_by(GuardReason::passivity, passivity_.energy().minCoeff(), 0.0);
   carried_ = input.weight * alive;
@@ -382,15 +383,15 @@ void HandGuard::apply(const DeviceState& device, const GuardInput& input, double
   const ForceChange cooled = shortened(clamped.value, heated);
   if (cooled.limited && thermal <= heated) limit_by(GuardReason::thermal, clamped.value.norm(), thermal);
   applied_.force = cooled.value;
-  // What a limit has cut off is no damping that the hand feels.
+  // Damping removed by a limit has no effect.
   if (slowed.limited || clamped.limited || cooled.limited) damped_.setZero();
 
-  // Motors that are too hot for a force are too hot for a torque.
+  // Motors too hot for a force are too hot for a torque.
   const double torque_most = peak_share * settings_.peak_torque * (most > 0.0 ? heated / most : 0.0);
   const ForceChange turned = approach(applied_.torque, wanted.torque, settings_.torque_slew * step);
   if (turned.limited) limit_by(GuardReason::slew, wanted.torque.norm(), settings_.torque_slew);
   const ForceChange shorter = shortened(turned.value, torque_most);
-  // A device without torques lacks them, at no fault.
+  // A device without torques lacks them, which is no fault.
   if (shorter.limited && settings_.peak_torque > 0.0) {
     limit_by(GuardReason::torque_peak, turned.value.norm(), torque_most);
   }

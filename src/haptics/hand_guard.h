@@ -24,9 +24,9 @@ bool is_possible(const Pose& hand) noexcept;
 struct GuardInput {
   Wrench wanted;     // on the hand, operator's frame
   double age = 0.0;  // s since the simulation computed it
-  double dt = 0.0;   // s since the tick before
+  double dt = 0.0;   // s since the previous tick
   bool controller_failed = false;
-  Vec3 weight = Vec3::Zero();  // N, carries the device's handle: part of the force, left out of the passivity account
+  Vec3 weight = Vec3::Zero();  // N, carries the device's handle: part of the force, not of the passivity account
 };
 
 // The last exit to the motors of a real device, for as long as a hand holds it. It knows nothing of tissue: it takes
@@ -50,18 +50,18 @@ class HandGuard {
 
   // All functions are for the thread that calls step(), which others reach through ServoTick's commands.
   //
-  // The user wants force. It begins at the first tick, within 2 s, at which the hand has been at rest for 50 ms,
-  // holds the dead-man's switch, and the wanted force is small; otherwise the request is refused.
+  // Requests forces. They begin at the first tick, within 2 s, at which the hand has been at rest for 50 ms, holds
+  // the dead-man's switch, and the wanted force is small; otherwise the request is refused.
   void arm() noexcept { arming_for_ = 0.0; }
-  // The user wants no force any more.
+  // Ends forces at the user's request.
   void disarm() noexcept { disarming_ = true; }
 
-  // The wrench that leaves, on the hand, operator's frame.
+  // The applied wrench, on the hand, operator's frame.
   const Wrench& step(const DeviceState& device, const GuardInput& input) noexcept;
 
   GuardState state() const noexcept { return state_; }
   bool is_armed() const noexcept { return state_ != GuardState::disarmed && state_ != GuardState::faulted; }
-  // Why it is faulted; none while it is not.
+  // The reason of the fault; none without a fault.
   GuardReason fault() const noexcept { return fault_; }
   const Wrench& applied() const noexcept { return applied_; }     // of the last step
   const GuardEvents& events() const noexcept { return events_; }  // of the last step
@@ -69,13 +69,13 @@ class HandGuard {
   std::uint32_t limits() const noexcept { return limits_; }
   double mean_square() const noexcept { return mean_square_; }    // N^2
   double speed() const noexcept { return motion_.mean_speed(); }  // mm/s, over 10 ms
-  // N mm that the hand has given to each axis of the operator's frame until the last reading, see AxisPassivity.
+  // N mm that the hand has given along each axis of the operator's frame up to the last reading, see AxisPassivity.
   const Vec3& energy() const noexcept { return passivity_.energy(); }
-  // N, the bound of every force, motor heat aside.
+  // N, upper bound of every force, apart from motor heat.
   double bound() const noexcept;
 
  private:
-  // Within a window, and by how much it changed on the axis where it did most in the last one.
+  // Range within a window, and its change in the last one on the axis with the largest change.
   struct Range {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
     double last = 0.0;
@@ -84,8 +84,8 @@ class HandGuard {
 
   void watch(const DeviceState& device, const GuardInput& input, double dt) noexcept;
   void watch_hand(double dt) noexcept;
-  Shaking find_shaking(double dt) noexcept;
-  void watch_shaking(double dt) noexcept;
+  Oscillation find_oscillation(double dt) noexcept;
+  void watch_oscillation(double dt) noexcept;
   void watch_range(double dt) noexcept;
   void calm(ForceReduction::Step step) noexcept;
   double calming_damping() const noexcept;
@@ -122,15 +122,15 @@ class HandGuard {
   Wrench applied_;
   AxisPassivity passivity_;
   HeldForce sent_force_, sent_damping_;  // without the handle's weight; the damping within it
-  Vec3 held_force_ = Vec3::Zero();       // N, really held since the tick before, without the handle's weight
+  Vec3 held_force_ = Vec3::Zero();       // N, actually held since the previous tick, without the handle's weight
   Vec3 held_damping_ = Vec3::Zero();     // N, damping within it
   double unpushed_for_ = 0.0;            // s without force
   Vec3 carried_ = Vec3::Zero();          // N, weight within the force of the last step
   Vec3 damped_ = Vec3::Zero();           // N, damping within it
   Wrench held_;                          // held while the simulation is late
-  Wrench fading_;                        // where the ramp to zero began
-  double faded_ = 1.0;                   // share of the ramp to zero that is done
-  double ramp_ = 0.0;                    // share of the force that is let through
+  Wrench fading_;                        // start of the ramp to zero
+  double faded_ = 1.0;                   // fraction of the ramp to zero completed
+  double ramp_ = 0.0;                    // fraction of the force that is passed on
   double mean_square_ = 0.0;             // N^2
   double arming_for_ = -1.0;             // s since the request to arm; negative: none is pending
   Range force_range_, torque_range_;     // N held, N mm

@@ -7,8 +7,8 @@
 
 namespace bodkin::haptics {
 
-// The force that a device really holds while the hand moves. A command takes effect `delay` after it was sent, and is
-// held until the next one does (a zero-order hold). A device whose loop is ours gets each command with the exchange
+// The force that a device actually holds while the hand moves. A command takes effect `delay` after it was sent, and
+// is held until the next one does (a zero-order hold). A device in our own loop gets each command with the exchange
 // of the next tick; a vendor's loop gets it at once. All functions are noexcept and allocate nothing.
 class HeldForce {
  public:
@@ -17,7 +17,7 @@ class HeldForce {
 
   // A tick begins, `dt` s (> 0) after the last one. Returns the mean, N, of the force held since then.
   Vec3 step(double dt) noexcept;
-  // What the tick commands, N.
+  // The command of the tick, N.
   void command(const Vec3& force) noexcept;
 
  private:

@@ -6,10 +6,9 @@
 
 namespace bodkin::haptics {
 
-// How long something took, again and again: fixed bins from 1 ns to 100 ms, sixteen to an octave, so that a
-// percentile is at most 1/16 too high whatever the scale, and one bin for what took longer. record() is noexcept,
-// allocates nothing and takes a few nanoseconds; the object is plain data and can be copied to another thread as a
-// whole.
+// Histogram of durations: fixed bins from 1 ns to 100 ms, sixteen per octave, so that a percentile is at most 1/16
+// too high at any scale, and one bin for longer durations. record() is noexcept, allocates nothing and takes a few
+// nanoseconds; the object is plain data and can be copied to another thread as a whole.
 class LatencyHistogram {
  public:
   // `seconds`: less than 1 ns counts as 0, NaN as longer than everything.
@@ -21,16 +20,16 @@ class LatencyHistogram {
   double maximum() const noexcept { return maximum_; }
   // s; 0 when it is empty.
   double mean() const noexcept { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
-  // s within which `share` (0 to 1) of all lie: the upper edge of the bin in which the last of them falls, but never
-  // more than the maximum. 0 when it is empty.
+  // s within which `share` (0 to 1) of all lie: the upper edge of the bin of the last of them, but never more than
+  // the maximum. 0 when it is empty.
   double percentile(double share) const noexcept;
-  // How many took longer than the last bin reaches, 100 ms.
+  // Number of durations beyond the last bin, 100 ms.
   std::uint64_t beyond() const noexcept { return bins_[last_bin]; }
 
-  // The bins, the one beyond 100 ms included.
+  // Number of bins, including the one beyond 100 ms.
   static constexpr std::size_t bins = 377;
   std::uint64_t count_in(std::size_t bin) const noexcept { return bins_[bin]; }
-  // s, the longest that falls into a bin; infinity for the last.
+  // s, upper edge of a bin; infinity for the last.
   static double upper_edge(std::size_t bin) noexcept;
 
  private:

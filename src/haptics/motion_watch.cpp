@@ -11,7 +11,7 @@ constexpr double recent_time = 0.003;   // s
 constexpr long most_readings = 63;      // that the ring holds besides the newest
 constexpr double jump_distance = 5.0;   // mm
 constexpr double jump_speed = 3000.0;   // mm/s
-constexpr double shortest_share = 0.5;  // of the nominal period: readings closer together would look like speed
+constexpr double shortest_share = 0.5;  // of the nominal period: closer readings would look like speed
 
 std::size_t readings_in(double time, double dt) noexcept {
   return static_cast<std::size_t>(std::clamp(std::lround(time / dt), 1L, most_readings));

@@ -7,8 +7,8 @@
 
 namespace bodkin::haptics {
 
-// How a device's hand moves, as far as safety needs to know: speed, rest, jumps and readings that stand still. Makes
-// do with positions when the device reports no velocity. step() is noexcept and allocates nothing.
+// The motion of a device's hand, as needed for safety: speed, rest, jumps and readings that stand still. Uses
+// positions when the device reports no velocity. step() is noexcept and allocates nothing.
 class MotionWatch {
  public:
   // `dt`: s, the nominal period.
@@ -24,14 +24,14 @@ class MotionWatch {
   const Vec3& turned() const noexcept { return turned_; }
   // mm/s of this tick: as reported, or else from the change since the last reading.
   double speed() const noexcept { return speed_; }
-  // mm/s over the last 10 ms, from positions alone, so that a coarse encoder at rest is not taken for motion.
+  // mm/s over the last 10 ms, only from positions, so that a coarse encoder at rest does not appear as motion.
   double mean_speed() const noexcept { return mean_speed_; }
-  // mm/s and rad/s, means over the last 3 ms: early enough to damp with.
+  // mm/s and rad/s, means over the last 3 ms: recent enough for damping.
   const Vec3& recent_velocity() const noexcept { return recent_velocity_; }
   const Vec3& recent_turning() const noexcept { return recent_turning_; }
-  // No part of the pose has changed by a single bit since the last reading.
+  // Whether no bit of the pose has changed since the last reading.
   bool is_still() const noexcept { return still_; }
-  // More than 5 mm in one tick, and faster than 3 m/s: no hand does that.
+  // More than 5 mm in one tick, and faster than 3 m/s: not possible for a hand.
   bool jumped() const noexcept { return jumped_; }
 
  private:
@@ -43,7 +43,7 @@ class MotionWatch {
     double time = 0.0;           // s
   };
 
-  // By how much `of` has changed a second since so many readings ago, or since the first one.
+  // Change of `of` per second since the given number of readings ago, or since the first one.
   Vec3 rate_since(std::size_t back, Vec3 Reading::*of) const noexcept;
 
   double dt_;

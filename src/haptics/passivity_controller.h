@@ -2,15 +2,15 @@
 
 namespace bodkin::haptics {
 
-// Time-domain passivity (Hannaford and Ryu 2002): what comes out of the tissue along the needle is never more energy
-// than the hand has put in.
+// Time-domain passivity (Hannaford and Ryu 2002): the tissue never returns more energy along the needle than the hand
+// has put in.
 //
 //   E += R v dt;   if E < 0:  alpha = -E / (dt v^2),  R_out = R + alpha v,  E += alpha v^2 dt
 //
 //   R resistance, N, positive pushes out; v velocity, mm/s, positive inwards; E energy taken from the hand, N mm;
-//   alpha damping, N s/mm, at most `damping_limit`. Nothing is done at |v| below `threshold` (E is carried on), and E
-// starts from 0 again after 0.5 s out of contact, so that old credit hides nothing. Compensation of the device's
-// weight is active by design and must be added afterwards.
+// alpha damping, N s/mm, at most `damping_limit`. No action at |v| below `threshold` (E is kept). E restarts from 0
+// after 0.5 s out of contact, so that old credit hides nothing. Compensation of the device's weight is active by
+// design and must be added afterwards.
 class PassivityController {
  public:
   // `damping_limit`: N s/mm, what the device can render. `force_limit`: N, bounds R_out. `threshold`: mm/s.
@@ -22,7 +22,7 @@ class PassivityController {
   void reset() noexcept { energy_ = damping_ = time_outside_ = 0.0; }
 
   double energy() const noexcept { return energy_; }    // N mm
-  double damping() const noexcept { return damping_; }  // alpha of the last step; 0 = nothing was done
+  double damping() const noexcept { return damping_; }  // alpha of the last step; 0 = no action
 
  private:
   double dt_, damping_limit_, force_limit_, threshold_;

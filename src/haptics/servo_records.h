@@ -13,40 +13,40 @@ namespace bodkin::haptics {
 
 // Input and output records of a servo tick, plain data of fixed size.
 
-// What a person asks a running servo for.
+// A person's request to a running servo.
 struct ServoCommand {
   enum class Kind : std::uint8_t { arm, disarm, freeze, unfreeze, clutch, unclutch, move_body };
   Kind kind = Kind::disarm;
-  Vec3 middle = Vec3::Zero();        // move_body: LPS mm that shall lie in the middle of the workspace
+  Vec3 middle = Vec3::Zero();        // move_body: LPS mm, point to be in the middle of the workspace
   Mat3 rotation = Mat3::Identity();  // move_body: operator's frame to patient
 };
 
-// What everybody but the servo may know of the newest tick.
+// The newest tick, for all threads but the servo's.
 struct ServoSnapshot {
   std::uint64_t tick = 0;
   double time = 0.0;  // s since the servo began, the sum of its periods
   DeviceState device;
   Pose needle = Pose::Identity();  // LPS
-  Wrench wanted;                   // on the needle, LPS, as the controller has it
-  Wrench applied;                  // on the hand, operator's frame, as it left
+  Wrench wanted;                   // on the needle, LPS, from the controller
+  Wrench applied;                  // on the hand, operator's frame, after the guard
   GuardState state = GuardState::disarmed;
   GuardReason fault = GuardReason::none;
   std::uint32_t limits = 0;    // see HandGuard::limits
-  Vec3 energy = Vec3::Zero();  // N mm that the hand has given since it was armed, by axis of the operator's frame
+  Vec3 energy = Vec3::Zero();  // N mm given by the hand since it was armed, by axis of the operator's frame
   bool frozen = false;
   bool clutched = false;
 };
 
-// How well the servo keeps its time.
+// Timing statistics of the servo.
 struct ServoTimings {
-  LatencyHistogram lateness;   // s by which a tick began later than its period
+  LatencyHistogram lateness;   // s by which ticks began later than their period
   LatencyHistogram compute;    // s that a tick took
   std::uint64_t overruns = 0;  // ticks that began more than a period late, or took longer than one
   std::uint64_t ticks = 0;
-  double recent_success = 1.0;  // share of the last hundred ticks that were none of these
+  double recent_success = 1.0;  // fraction of the last hundred ticks without overrun
 };
 
-// One tick as a fault report keeps it: the state that came in and the force that answered it.
+// One tick in a fault report: the input state and the resulting force.
 struct ServoSample {
   std::uint64_t tick = 0;
   double dt = 0.0;        // s
@@ -62,7 +62,7 @@ struct ServoSample {
   bool held = true;
 };
 
-// The ticks that led to a fault, oldest first, the one of the fault last.
+// The ticks before a fault, oldest first, the one of the fault last.
 struct FaultReport {
   static constexpr std::size_t most = 200;
   GuardEvent fault;

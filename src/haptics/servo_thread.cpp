@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/settings_check.h"
 #include "haptics/deadline_clock.h"
+#include "haptics/guard_settings.h"
 #include "haptics/tick_clock.h"
 
 namespace bodkin::haptics {
@@ -34,7 +35,7 @@ struct ServoThread::Shared {
   std::atomic<std::uint64_t> rounds{0};
   std::atomic<std::uint64_t> missed{0};
 
-  // Only for the beginning and the end, never in a round.
+  // Only for start and stop, never in a round.
   std::mutex mutex;
   std::condition_variable changed;
   bool begun = false;
@@ -44,7 +45,7 @@ struct ServoThread::Shared {
 };
 
 ServoThread::ServoThread(const ServoThreadSettings& settings, Exchange exchange, Tick tick) : settings_(settings) {
-  check_range("servo", "period", settings.period, {0.00025, 0.005}, "s");
+  check_range("servo", "period", settings.period, declaration_of(&GuardSettings::dt).range, "s");
   check_range("servo", "patience of stop()", settings.patience, above(0.0, 60.0), "s");
   check_range("servo", "time of a stall", settings.stall_after, {0.0, unbounded, false, false}, "s");
   if (!exchange || !tick) throw InputError("servo: a function is missing, expected an exchange and a tick");
@@ -88,7 +89,7 @@ void ServoThread::run(const std::shared_ptr<Shared>& shared) noexcept {
     shared->rounds.fetch_add(1, std::memory_order_relaxed);
     shared->last_round.store(clock(), std::memory_order_release);
   }
-  // A call that returns after it was abandoned leaves the device alone.
+  // A call that returns after it was abandoned must not access the device.
   std::unique_lock lock(shared->mutex);
   const bool awaited = shared->may_run && !shared->ended;
   lock.unlock();

@@ -14,22 +14,22 @@ namespace bodkin::haptics {
 struct ServoThreadSettings {
   double period = 0.001;           // s; 0.00025 to 0.005
   double patience = 0.5;           // s that stop() waits for an exchange to return
-  double stall_after = 0.050;      // s without a finished round: the device is stalled
+  double stall_after = 0.050;      // s without a complete round after which the device is stalled
   bool require_real_time = false;  // refuse to run without real-time priority
 };
 
-// Runs the servo of a device that leaves the loop to us, on a thread of its own: sleep to the next deadline,
-// exchange, tick, over and over. Asks for real-time priority and says what was not granted.
+// Runs the servo of a device without a loop of its own, on a separate thread: sleep to the next deadline, exchange,
+// tick, repeatedly. Requests real-time priority and reports refusals.
 //
-// An exchange may block for ever when a vendor's library hangs. No thread can be ended from outside, so a stop() that
-// waited long enough leaves it behind: what the two functions need must live as long as they do (hold it in a
-// shared_ptr inside them), and the one left behind touches nothing but the exchange that it hangs in; should that
-// ever return, the thread ends without another call.
+// An exchange may block forever when a vendor's library hangs. No thread can be ended from outside, so after waiting
+// long enough stop() abandons it: everything that the two functions need must live as long as they do (hold it in a
+// shared_ptr inside them). The abandoned thread touches nothing but the exchange that it hangs in; if that ever
+// returns, the thread ends without another call.
 class ServoThread {
  public:
-  // Sends the command, gets the state that answers it. What it throws is taken as a fault of the device.
+  // Sends the command and receives the state that responds to it. An exception counts as a fault of the device.
   using Exchange = std::function<void(const Wrench& command, DeviceState& state)>;
-  // The round itself, such as ServoTick::step. `dt`: s since the last call; `lateness`: s after the deadline. Must
+  // The work of a round, such as ServoTick::step. `dt`: s since the last call; `lateness`: s after the deadline. Must
   // not throw.
   using Tick = std::function<Wrench(const DeviceState& state, double dt, double lateness)>;
 
@@ -39,18 +39,18 @@ class ServoThread {
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  // Throws SystemError when real-time priority is required but refused, or no thread can be made. Once only.
+  // Throws SystemError when real-time priority is required but refused, or no thread can be created. Once only.
   void start();
-  // No tick any more when it returns; the last exchange has carried a command of zero. False: the exchange has not
-  // returned in time and its thread was left behind; the device's own watchdog has to end the force. Never waits
-  // longer than the patience. Harmless to repeat.
+  // When it returns, no tick will follow, and the last exchange has sent a command of zero. False: the exchange has
+  // not returned in time and its thread was abandoned; the device's own watchdog has to end the force. Never waits
+  // longer than the patience. May be repeated.
   bool stop();
 
-  // What the system did not grant, one sentence each; known once start() has returned.
+  // Requests that the system refused, one sentence each; known once start() has returned.
   const std::vector<std::string>& refused() const { return refused_; }
-  // For any thread: s since a round was finished last (since start() before the first).
+  // For any thread: s since the last complete round (since start() before the first).
   double silence() const noexcept;
-  // Running, but no round was finished for `stall_after`.
+  // Running, but without a complete round for `stall_after`.
   bool is_stalled() const noexcept;
   // Rounds so far, and those that woke up more than a period late.
   std::uint64_t rounds() const noexcept;
@@ -61,7 +61,7 @@ class ServoThread {
   static void run(const std::shared_ptr<Shared>& shared) noexcept;
 
   ServoThreadSettings settings_;
-  std::shared_ptr<Shared> shared_;  // the thread has a share of it too
+  std::shared_ptr<Shared> shared_;  // shared with the thread
   std::thread thread_;
   std::vector<std::string> refused_;
   bool stopped_in_time_ = true;

@@ -84,7 +84,7 @@ void ServoTick::apply_commands() noexcept {
         break;
     }
   }
-  // After the queue, so that no arm in it outlives a disarm.
+  // After the queue, so that no queued arm command outlives a disarm.
   if (disarm_.load(std::memory_order_relaxed) && disarm_.exchange(false, std::memory_order_acquire)) guard_.disarm();
 }
 
@@ -163,7 +163,7 @@ Wrench ServoTick::step(const DeviceState& reported, double dt, double lateness) 
     follow_buttons(device, dt);
   }
 
-  // A device with a fault leaves the needle where it was.
+  // A faulty device leaves the needle where it was.
   const Pose needle = seen_ ? map_.step(hand_, dt) : map_.needle();
   const Control answer = seen_ ? control({.needle = needle,
                                           .dt = dt,

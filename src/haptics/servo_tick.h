@@ -15,29 +15,29 @@
 
 namespace bodkin::haptics {
 
-// Input of a controller, once a tick.
+// Input of a controller, once per tick.
 struct ControlInput {
   Pose needle = Pose::Identity();  // LPS
   double dt = 0.0;                 // s since the last tick, as measured
   std::uint64_t tick = 0;
   std::uint32_t buttons = 0;
-  bool needle_held = false;                 // frozen or clutched: nobody holds it, and the hand feels no force
+  bool needle_held = false;  // frozen or clutched: no hand holds the needle, and the hand feels no force
   GuardState guard = GuardState::disarmed;  // after the previous tick: whether the hand will feel the answer
 };
 
 // Output of a controller.
 struct Control {
-  Wrench wrench;     // on the hand that would hold the needle: LPS, N, N mm about the tip
-  double age = 0.0;  // s since the state behind it was computed; 0 = in this tick
-  // By which tissue takes a held needle along until the next tick, its tip (mm, LPS) and its axes, turned about the
-  // tip; of a needle in a hand it is ignored.
+  Wrench wrench;     // on the hand that holds the needle: LPS, N, N mm about the tip
+  double age = 0.0;  // s since the underlying state was computed; 0 = in this tick
+  // Motion by which tissue carries a held needle until the next tick: of its tip (mm, LPS), and of its axes, about
+  // the tip; ignored for a needle in a hand.
   Vec3 carried = Vec3::Zero();
   Mat3 turned = Mat3::Identity();
 };
 
-// Anything that turns a needle's pose into a wrench: tissue, a spring, nothing. Called once a tick, in the servo's
-// thread: must not allocate, lock or wait. What it throws ends the force, and it is not called again until the next
-// arm.
+// Any function from a needle's pose to a wrench: tissue, a spring, nothing. Called once per tick, in the servo's
+// thread: must not allocate, lock or wait. An exception ends the force, and it is not called again until the next arm
+// command.
 using Controller = std::function<Control(const ControlInput&)>;
 
 struct ServoSettings {
@@ -48,29 +48,29 @@ struct ServoSettings {
   double grasp_time = 0.25;  // s over which the force returns after a freeze or clutch
   // Buttons of the device, by number; -1 = none.
   int dead_man_button = -1;  // in addition to the device's own switch; releasing it ends the force
-  int clutch_button = -1;    // held while the hand is brought back
+  int clutch_button = -1;    // held while the hand is moved back
   int freeze_button = -1;    // pressed once to freeze, once more to grasp again
 };
 
-// One round of the servo as a plain function of what the device reports: commands, workspace, controller, guard,
-// snapshot. It does not know which thread runs it: ours (ServoThread) or a vendor's. step() is noexcept, allocates
-// nothing, locks nothing and never waits.
+// One round of the servo as a plain function of the device's report: commands, workspace, controller, guard,
+// snapshot. It does not depend on the thread that runs it: ours (ServoThread) or a vendor's. step() is noexcept,
+// allocates nothing, locks nothing and never waits.
 //
-// Threads: step() belongs to one. command() belongs to one other, and everything under "observer" to one more; those
-// two may be the same. disarm() is for all. Every exchange is wait-free on both sides.
+// Threads: step() belongs to one thread. command() belongs to another, and everything under "observer" to a third;
+// the last two may be the same. disarm() is for all threads. Every exchange is wait-free on both sides.
 class ServoTick {
  public:
   // Throws InputError for out-of-range settings or an empty controller.
   ServoTick(const ServoSettings& settings, Controller controller, TickClock clock = monotonic_clock());
 
-  // The wrench for the hand, operator's frame. `dt`: s since the last call, as measured. `lateness`: s by which this
-  // tick began late; not given: what dt is longer than the period.
+  // The wrench for the hand, operator's frame. `dt`: measured s since the last call. `lateness`: s by which this tick
+  // began late; by default the excess of dt over the period.
   Wrench step(const DeviceState& device, double dt,
               double lateness = std::numeric_limits<double>::quiet_NaN()) noexcept;
 
   // False when the queue is full and the command was dropped. Commands take effect in order, in the next tick.
   bool command(const ServoCommand& command) noexcept { return commands_.push(command); }
-  // Ends the force at the next tick, whatever else waits.
+  // Ends the force at the next tick, regardless of queued commands.
   void disarm() noexcept { disarm_.store(true, std::memory_order_release); }
 
   // Observer: the newest tick.
@@ -79,7 +79,7 @@ class ServoTick {
   const ServoTimings& timings() noexcept { return published_timings_.read(); }
   // Observer: the next event of the guard; false when the queue is empty.
   bool next_event(GuardEvent& event) noexcept { return events_.pop(event); }
-  // Observer: the newest fault with the ticks before it; count is 0 when there was none.
+  // Observer: the newest fault with the preceding ticks; count is 0 without a fault.
   const FaultReport& fault_report() noexcept { return reports_.read(); }
 
   double period() const noexcept { return period_; }
@@ -111,7 +111,7 @@ class ServoTick {
   Button clutch_button_, freeze_button_;
   Pose hand_ = Pose::Identity();  // the last plausible pose
   bool seen_ = false;             // hand_ has been set
-  double grasp_ = 1.0;            // share of the force after a hold
+  double grasp_ = 1.0;            // fraction of the force after a hold
   bool controller_failed_ = false;
   std::uint64_t tick_ = 0;
   double time_ = 0.0;

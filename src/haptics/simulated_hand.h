@@ -8,13 +8,12 @@
 
 namespace bodkin::haptics {
 
-// A hand and forearm that hold the needle: at the tip a mass on a spring and a damper whose other end is where the
-// person means the needle to be (the equilibrium point that the muscles set). The needle's rotation yields in the
-// same way to torques.
+// A hand and forearm that hold the needle: at the tip a mass on a spring and a damper whose other end is the intended
+// position of the needle (the equilibrium point set by the muscles). The needle's rotation yields to torques by the
+// same law.
 //
 //   m x'' = F + k (p - x) + c (p' - x')        F: force of the device on the hand, p: intended tip position
-//   J w'' = T - k_r w - c_r w'                 T: torque about the tip, w: rotation away from the intended
-//   orientation
+//   J w'' = T - k_r w - c_r w'                 T: torque about the tip, w: rotation from the intended one
 //
 // A precision grip is near m = 0.1 to 0.4 kg, k = 0.3 to 1 N/mm when relaxed and several times that when the hand is
 // braced against the patient's back.
@@ -32,22 +31,23 @@ struct HandParameters {
 // Throws InputError naming the first parameter outside its range.
 void check(const HandParameters& parameters);
 
-// The hand in time. Each step solves the equations above exactly for a force that is constant and an intention that
-// moves evenly during the tick, so the hand itself can neither gain energy from the step nor blow up, however stiff.
+// The hand over time. Each step solves the equations above exactly for a force that is constant and an intention that
+// moves uniformly during the tick, so the hand can neither gain energy from the step nor diverge, however stiff it
+// is.
 class SimulatedHand {
  public:
-  // `dt`: s. Equal seeds tremble equally. Throws InputError for parameters out of range.
+  // `dt`: s. Equal seeds give equal tremor. Throws InputError for parameters out of range.
   SimulatedHand(const HandParameters& parameters, double dt, std::uint64_t seed);
 
-  // At rest at `pose`, meaning to be there.
+  // Starts at rest at `pose`, which is also the intended pose.
   void start(const Pose& pose) noexcept;
   // One tick under the device's wrench (on the hand, LPS, about the tip). The translation follows `intended` through
-  // the dynamics; its orientation is taken at once, so the caller turns it at a human pace. Returns the needle's
+  // the dynamics; its orientation takes effect at once, so the caller turns it at a human pace. Returns the needle's
   // pose.
   const Pose& step(const Pose& intended, const Wrench& on_hand) noexcept;
 
-  // The hand is held otherwise from now on: k and c, within the ranges of HandParameters (clamped), and the person
-  // means the tip to be at `intended`, which moves nothing.
+  // Changes the grip: k and c, within the ranges of HandParameters (clamped), and the intended position of the tip,
+  // `intended`; nothing moves.
   void set_grip(double stiffness, double damping, const Vec3& intended) noexcept;
 
   const Pose& needle() const noexcept { return needle_; }
@@ -55,7 +55,7 @@ class SimulatedHand {
   const Vec3& velocity() const noexcept { return velocity_; }
 
  private:
-  // How displacement and velocity at the end of a tick follow from those at its start, without force.
+  // Displacement and velocity at the end of a tick as functions of those at its start, without force.
   struct Transition {
     double xx, xv, vx, vv;
   };

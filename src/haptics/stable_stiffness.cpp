@@ -13,7 +13,7 @@ namespace {
 
 constexpr int rim_lines = 72;
 
-// mm/N that a spring of 1 N/mm along `line` (unit) takes of the axes.
+// mm/N, share of the axes' limits used by a spring of 1 N/mm along `line` (unit).
 double share_of_axes(const Vec3& axis, const Vec3& line) noexcept {
   return line.cwiseAbs2().cwiseQuotient(axis).sum();
 }
@@ -41,7 +41,7 @@ double StableStiffness::along(const Vec3& direction, double spread) const noexce
       largest = std::max(largest, share_of_axes(axis, line));
     }
   }
-  return std::clamp(1.0 / largest, weakest(), axis.maxCoeff());  // exactly their own where all axes bear alike
+  return std::clamp(1.0 / largest, weakest(), axis.maxCoeff());  // exactly their own if all axes are equally stiff
 }
 
 StableStiffness stable_stiffness(const DeviceAbilities& device, double rate, const Vec3& friction) noexcept {

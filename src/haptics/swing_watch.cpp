@@ -9,18 +9,18 @@
 namespace bodkin::haptics {
 
 namespace {
-constexpr double slowest_shaking = 2.8;      // Hz: 3 Hz, whatever the ticks make of a period
+constexpr double slowest_oscillation = 2.8;  // Hz: 3 Hz, for any period of the ticks
 constexpr double faster_than_hands = 19.0;   // Hz
 constexpr double hand_acceleration = 2.0e4;  // mm/s^2
-constexpr double persists = 0.85;            // of a cycle's width that the next one has at least
-constexpr double unsteady = 0.25;            // of a period by which another one may differ
+constexpr double persists = 0.85;            // of a cycle's width, at least, for the next one
+constexpr double unsteady = 0.25;            // of a period by which the next may differ
 constexpr double fast_swings = 2.0;          // times the least swing
-constexpr double lasting_swings = 1.5;       // the same of a swing that lasts
+constexpr double lasting_swings = 1.5;       // the same for a swing that lasts
 constexpr double at_turn = 0.2;              // of the least swing, within which the hand is at its turning point
 
-// How equal the cycles of a swing are that no hand makes, and how many of them, for how long.
+// How equal, how many and how long the cycles of a swing must be to rule out a hand.
 struct Evenness {
-  double time = 0.0;         // of the shortest period by which the longest exceeds it, beyond two ticks
+  double time = 0.0;         // of the shortest period by which the longest may exceed it, beyond two ticks
   double width = 0.0;        // of the narrowest width, beyond one least swing
   double half_cycles = 0.0;  // at least
   double lasting = 0.0;      // s, at least
@@ -33,7 +33,7 @@ constexpr Evenness of_a_rhythm{0.05, 0.1, 24.0, 0.0};
 double SwingWatch::allowed(double frequency) const noexcept {
   const double fast = fast_swings * least_;
   if (frequency >= faster_than_hands) return fast;
-  const double turn_rate = 2.0 * std::numbers::pi * std::max(frequency, slowest_shaking);
+  const double turn_rate = 2.0 * std::numbers::pi * std::max(frequency, slowest_oscillation);
   return std::max(fast, 2.0 * hand_acceleration / (turn_rate * turn_rate));
 }
 
@@ -52,8 +52,8 @@ bool SwingWatch::is_shaken(const Axis& axis) noexcept {
       return false;
     if (std::abs(swing[i].time + swing[i + 1].time - period) > unsteady * period) return false;
   }
-  // Each cycle has to be one that no hand makes: counts of an encoder, and a hand that changes its pace, make single
-  // ones shorter than they are.
+  // Every cycle must be too regular for a hand: counts of an encoder, and a hand that changes its pace, make single
+  // cycles seem shorter.
   if (width <= allowed(1.0 / longest)) return false;
   const double frequency = 1.0 / period;
   frequency_ = frequency;
@@ -91,8 +91,8 @@ void SwingWatch::watch_lasting(Axis& axis, double dt) noexcept {
   width_ = width;
 }
 
-// One axis. A turning point is known once the hand has come back by `least_`. Its time is the middle of the time that
-// the hand spent there: what a coarse encoder shows of it begins early by half of that.
+// One axis. A turning point is detected once the hand has returned by `least_`. Its time is the middle of the hand's
+// stay there: a coarse encoder shows it earlier by half the stay.
 bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
   axis.place += moved;
   axis.since_extreme += dt;
@@ -104,7 +104,7 @@ bool SwingWatch::step(Axis& axis, double moved, double dt) noexcept {
   } else if (std::abs(axis.extreme - axis.place) < at_turn * least_) {
     axis.dwelt = axis.since_extreme;
   }
-  const double longest = 0.5 / slowest_shaking;
+  const double longest = 0.5 / slowest_oscillation;
   if (std::max(axis.since_turn, axis.since_extreme) > longest) axis.count = 0;
   if (std::abs(axis.extreme - axis.place) < least_) return false;
 

@@ -4,7 +4,7 @@
 
 namespace bodkin::haptics {
 
-// Where a servo tick reads the time that it measures itself with; no force depends on it. Virtual in tests.
+// The clock with which a servo tick measures itself; no force depends on it. Simulated in tests.
 struct TickClock {
   std::int64_t (*now)(void* user) noexcept = nullptr;  // ns, never backwards
   void* user = nullptr;
@@ -14,10 +14,10 @@ struct TickClock {
 
 // The system's monotonic clock.
 TickClock monotonic_clock() noexcept;
-// The same, s.
+// The same clock in s.
 double monotonic_seconds() noexcept;
 
-// s; a longer pause between two ticks counts as this.
+// s; a longer pause between two ticks is treated as this.
 inline constexpr double longest_dt = 1.0;
 
 }  // namespace bodkin::haptics

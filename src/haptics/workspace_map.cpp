@@ -72,12 +72,12 @@ void WorkspaceMap::glide(double dt) noexcept {
     return;
   }
   settings_.centre += share * offset;
-  // A quaternion between, so that many small turns do not wear the axes.
+  // By a quaternion, so that many small turns do not degrade the axes.
   const Eigen::Quaterniond next(Mat3(rotation_about(turn.axis, share * turn.angle) * settings_.rotation));
   settings_.rotation = next.normalized().toRotationMatrix();
 }
 
-// The needle stays where it is in the patient; from now on the hand holds it like that.
+// The needle stays where it is in the patient; the hand's hold changes accordingly.
 void WorkspaceMap::grasp(const Pose& hand) noexcept {
   shift_ = settings_.rotation.transpose() * (needle_.translation() - settings_.centre) - tip_of(hand);
   grip_ = hand.linear().transpose() * settings_.rotation.transpose() * needle_.linear();
@@ -86,7 +86,7 @@ void WorkspaceMap::grasp(const Pose& hand) noexcept {
 const Pose& WorkspaceMap::step(const Pose& hand, double dt) noexcept {
   glide(dt);
   lever_ = hand.linear() * settings_.tip_offset;
-  // A needle that was never held in a hand cannot stay anywhere.
+  // A needle never held by a hand has no place to stay.
   if (is_held() && begun_) {
     was_held_ = true;
     return needle_;
@@ -102,7 +102,7 @@ const Pose& WorkspaceMap::step(const Pose& hand, double dt) noexcept {
 void WorkspaceMap::carry(const Vec3& by, const Mat3& turn) noexcept {
   if (!is_held() || !begun_ || !by.allFinite() || !is_rotation(turn, rotation_slack)) return;
   needle_.translation() += by;
-  // A quaternion between, so that many small turns do not wear the axes.
+  // By a quaternion, so that many small turns do not degrade the axes.
   if (turn != Mat3::Identity())
     needle_.linear() = Eigen::Quaterniond(Mat3(turn * needle_.linear())).normalized().toRotationMatrix();
 }

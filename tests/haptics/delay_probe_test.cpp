@@ -46,7 +46,7 @@ TEST(DelayProbe, finds_the_delay_of_a_loosely_held_device_within_eight_tenths_of
   }
 }
 
-// It drives the hand to and fro on purpose; without force in between for so long that it is no shaking.
+// It drives the hand to and fro on purpose, with force-free pauses long enough not to count as shaking.
 TEST(DelayProbe, is_no_uneven_driving) {
   for (const double arm : {0.05, 0.1, 0.3}) {
     DeviceModel model;
@@ -54,7 +54,7 @@ TEST(DelayProbe, is_no_uneven_driving) {
     model.resolution = 0.01;
     model.arm_stiffness = arm;
     DelayProbe probe;
-    RoundTripWatch trips(0.075, slow_shaking(0.0, 1.0, one_tick).gain);
+    RoundTripWatch trips(0.075, slow_oscillation(0.0, 1.0, one_tick).gain);
     Random random(5);
     probe.begin();
     Vec3 before = model.reading(), force = Vec3::Zero();

@@ -1,4 +1,4 @@
-// The guard in closed loops in which a force comes one to three milliseconds late.
+// The guard in closed loops with forces one to three milliseconds late.
 #include <cmath>
 #include <string>
 
@@ -48,7 +48,7 @@ DeviceModel light_grip(double mass, double delay) {
   return model;
 }
 
-// In and out of a wall for two seconds, and for half a second to and fro with the account at work.
+// In and out of a wall for two seconds, and for half a second to and fro with the account active.
 TEST(DelayedLoop, the_account_agrees_with_what_the_motors_gave_within_two_percent) {
   for (const bool ours : {true, false}) {
     for (const double ticks : {0.0, 0.5, 1.0, 2.0, 3.0}) {
@@ -85,7 +85,7 @@ TEST(DelayedLoop, the_account_agrees_with_what_the_motors_gave_within_two_percen
 }
 
 TEST(DelayedLoop, an_account_without_the_delay_misses_most_of_what_it_creates) {
-  // What this test is for: the same loop, told of no delay.
+  // The purpose of this test: the same loop without a known delay.
   DeviceModel model = light_grip(0.15, 0.003);
   HeldOnDevice told(omega(0.003), model), untold(omega(0.0), model);
   for (HeldOnDevice* loop : {&told, &untold}) {
@@ -105,7 +105,7 @@ struct ShakingCase {
   double stiffness;
 };
 
-// Runs into a wall with a light grip and stays there: half a second later nothing may shake any more.
+// Runs into a wall with a light grip and stays there: half a second later nothing may shake.
 void expect_quiet(const ShakingCase& c) {
   HeldOnDevice loop(c.device, c.model, 7);
   loop.arm();
@@ -128,7 +128,7 @@ TEST(DelayedLoop, walls_that_shook_the_hand_for_good_are_calmed) {
   }
 }
 
-// The steps, and the time from the first to the last: a hand that is moved as a shaken one is, whatever is done.
+// The steps, and the time from the first to the last: a hand moved like a shaken one, regardless of the force.
 TEST(DelayedLoop, a_hand_that_shakes_on_any_axis_has_no_force_within_a_tenth_of_a_second) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double hertz : {10.0, 14.0, 22.0, 27.0, 40.0, 80.0, 150.0, 200.0}) {

@@ -12,10 +12,10 @@ namespace bodkin {
 
 using namespace bodkin::haptics;
 
-// Asks again and again until `condition` holds; false after half a minute.
+// Polls until `condition` holds; false after half a minute.
 bool comes_true(const std::function<bool()>& condition);
 
-// An open device with a loop, whoever owns that: its states are kept, its command is `push`.
+// An open device with a loop of any owner: its states are recorded, its command is `push`.
 class DeviceLoop {
  public:
   explicit DeviceLoop(DevicePort port);
@@ -34,7 +34,7 @@ class DeviceLoop {
   Vec3 fastest() const { return hand_.fastest(); }
   // Rounds so far whose pose was not finite or whose turn was no rotation.
   int unsound() const { return hand_.unsound(); }
-  // Waits for so many rounds more; false when they do not come.
+  // Waits for so many more rounds; false if they do not arrive.
   bool rounds(int count);
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 
-// A haptic device in a hand, as a model that knows nothing of the guard: what it is made of does not come from the
-// stiffness that is to be rendered.
+// A haptic device in a hand, as a model independent of the guard: its properties are not derived from the stiffness
+// to be rendered.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -12,8 +12,8 @@
 namespace bodkin {
 
 // The device is a mass with viscous and dry friction; the hand a mass that holds it by a grip and hangs on an arm
-// that pulls to where the person means to be. The motors hold each force until the next one comes (zero-order hold),
-// each `delay` plus up to `jitter` late, never out of order. Operator's frame, mm, s, N, kg.
+// that pulls to the intended position. The motors hold each force until the next one arrives (zero-order hold), each
+// `delay` plus up to `jitter` late, never out of order. Operator's frame, mm, s, N, kg.
 struct DeviceModel {
   double mass = 0.1;                // kg, of the device at its handle
   double damping = 0.001;           // N s/mm, its own
@@ -38,7 +38,7 @@ struct DeviceModel {
     hand_velocity.setZero();
   }
 
-  // What the tick answered to the last reading.
+  // The tick's answer to the last reading.
   void command(const Vec3& force, Random& random) {
     if (sent_with_next_tick) std::swap(waiting_, next_);
     next_ = force;
@@ -50,9 +50,9 @@ struct DeviceModel {
     const double part = dt / parts;
     for (int i = 0; i < parts; ++i) {
       time_ += part;
-      while (!underway_.empty() && underway_.front().at <= time_ - 0.5 * part) {
-        force_ = underway_.front().force;
-        underway_.pop_front();
+      while (!in_transit_.empty() && in_transit_.front().at <= time_ - 0.5 * part) {
+        force_ = in_transit_.front().force;
+        in_transit_.pop_front();
       }
       const Vec3 grip =
           grip_stiffness > 0.0
@@ -76,20 +76,20 @@ struct DeviceModel {
   const Vec3& force() const { return force_; }
 
  private:
-  struct Underway {
+  struct ForceInTransit {
     double at = 0.0;
     Vec3 force = Vec3::Zero();
   };
 
   void send(const Vec3& force, Random& random) {
     double at = time_ + delay + (jitter > 0.0 ? random.uniform(0.0, jitter) : 0.0);
-    if (!underway_.empty()) at = std::max(at, underway_.back().at);
-    underway_.push_back({at, force});
+    if (!in_transit_.empty()) at = std::max(at, in_transit_.back().at);
+    in_transit_.push_back({at, force});
   }
 
   double time_ = 0.0;
   Vec3 force_ = Vec3::Zero(), waiting_ = Vec3::Zero(), next_ = Vec3::Zero();
-  std::deque<Underway> underway_;
+  std::deque<ForceInTransit> in_transit_;
 };
 
 }  // namespace bodkin

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr auto impatient = 100ms;
 
-// A driver in this program that does as it is told.
+// A driver in this program controlled by the test.
 struct Fake {
   std::atomic<const char*> blocked{""};  // the call that does not return until this changes
   std::atomic<int> inside{0};            // calls that have not returned
@@ -48,7 +48,7 @@ struct Fake {
    private:
     Fake& host_;
   };
-  // Lets everything return and waits until it has.
+  // Lets all calls return and waits for them.
   void release() {
     blocked = "";
     while (inside.load() > 0) std::this_thread::sleep_for(1ms);
@@ -106,7 +106,7 @@ class Port : public testing::Test {
   }
   ~Port() override { fake_.release(); }
 
-  // Waits for what a given-up call does when it returns at last.
+  // Waits for the effect of an abandoned call's late return.
   static void eventually(const std::atomic<int>& count, int value) {
     for (int wait = 0; wait < 20000 && count.load() < value; ++wait) std::this_thread::sleep_for(1ms);
     EXPECT_EQ(count.load(), value);

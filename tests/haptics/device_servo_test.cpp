@@ -1,5 +1,5 @@
-// A device with its whole servo, on the stand-ins for the vendors' libraries: whoever owns the loop, no force before
-// somebody arms, none after a stop or a fault.
+// A device with its whole servo, on the mocks of the vendors' libraries: for any owner of the loop, no force
+// before arming, none after a stop or a fault.
 #include "haptics/device_servo.h"
 
 #include <atomic>
@@ -21,7 +21,7 @@ using namespace bodkin::haptics;
 
 namespace {
 
-using stand_in::Trouble;
+using mock::Trouble;
 
 class DeviceServoOf : public testing::TestWithParam<DriverSubject> {
  protected:
@@ -43,9 +43,9 @@ class DeviceServoOf : public testing::TestWithParam<DriverSubject> {
     board().clear();
   }
 
-  stand_in::Board& board() const { return GetParam().board(); }
+  mock::Board& board() const { return GetParam().board(); }
   double force() const { return Vec3(board().force[0], board().force[1], board().force[2]).norm(); }
-  // Arms again and again until the force has come in: a busy machine may miss the rest that arming asks for.
+  // Arms repeatedly until the force has ramped up: a busy machine may miss the rest that arming requires.
   bool comes_to_pull() {
     return comes_true([&] {
       const GuardState state = servo_->tick().snapshot().state;
@@ -114,7 +114,7 @@ TEST_P(DeviceServoOf, a_fault_of_the_device_ends_the_force_and_is_told) {
   servo_->stop();
 }
 
-// A device at rest whose loop is ours: it keeps the force of each round, and hangs when it is told to.
+// A device at rest in our loop: it records the force of each round, and hangs on request.
 struct QuietDevice {
   std::mutex mutex;
   std::vector<double> forces;  // N
@@ -161,7 +161,7 @@ class StoppedServo : public testing::Test {
     comes_true([this] { return left_.expired(); });  // a loop that was left behind comes back and ends
   }
 
-  // Its force has come in when this returns.
+  // Its force has ramped up when this returns.
   void start() {
     device_.forces.clear();
     left_.reset();

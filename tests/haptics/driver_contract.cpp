@@ -1,6 +1,5 @@
-// What every driver must do, whether a vendor's device, a plug-in, or a hand that Bodkin makes itself
-// (docs/devices.md). Compiled into each test program that knows drivers. What only a driver with a force can break is
-// force_contract_test.cpp.
+// The requirements of every driver, for a vendor's device, a plug-in, or Bodkin's own hands (docs/devices.md).
+// Compiled into each test program with drivers. Requirements for forces are in force_contract_test.cpp.
 #include "tests/haptics/driver_contract.h"
 
 #include <atomic>
@@ -36,7 +35,7 @@ class DriverContract : public testing::TestWithParam<ContractSubject> {
   const bodkin_driver& driver() const { return *GetParam().driver; }
   DevicePort open() const { return {driver(), scene_.identity, scene_.settings}; }
 
-  // The sentence that refuses it; empty when it opens.
+  // The sentence of the refusal; empty if it opens.
   std::string refusal(const std::string& identity, const std::string& settings) const {
     try {
       const DevicePort port(driver(), identity, settings);
@@ -138,10 +137,10 @@ TEST_P(DriverContract, refuses_a_setting_that_it_does_not_know) {
 }
 
 TEST_P(DriverContract, says_in_one_sentence_what_is_missing) {
-  if (GetParam().told_of_absent.empty()) GTEST_SKIP() << "this driver needs nothing that can be missing";
+  if (GetParam().absent_message.empty()) GTEST_SKIP() << "this driver needs nothing that can be missing";
   scene_ = {};
   const std::string told = refusal(GetParam().absent_identity, GetParam().absent_settings);
-  for (const std::string& words : GetParam().told_of_absent) EXPECT_THAT(told, HasSubstr(words));
+  for (const std::string& words : GetParam().absent_message) EXPECT_THAT(told, HasSubstr(words));
   EXPECT_THAT(told, HasSubstr(driver().name));
   EXPECT_EQ(told.find('\n'), std::string::npos);
 }

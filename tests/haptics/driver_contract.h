@@ -11,7 +11,7 @@ namespace bodkin {
 
 using namespace bodkin::haptics;
 
-// A device that can be opened for one test, and what takes it away.
+// A device that can be opened for one test, and a way to remove it.
 struct ContractScene {
   std::string identity;
   std::string settings;
@@ -27,18 +27,18 @@ struct ContractSubject {
   const bodkin_driver* driver = nullptr;
   std::function<ContractScene()> arrange;
   bool renders_force = false;
-  // Of asking for what is there; none where it is found. A mouse is not there without a display.
+  // Obstacle to listing devices; empty if the device is found. Without a display there is no mouse.
   DeviceFault fault_of_listing = DeviceFault::none;
-  // A device or software that is not there: how it is asked for, and what the refusal must say. Empty where nothing
-  // can be missing.
+  // A missing device or software: its settings, and the required text of the refusal. Empty if nothing can be
+  // missing.
   std::string absent_identity, absent_settings;
-  std::vector<std::string> told_of_absent;
+  std::vector<std::string> absent_message;
 };
 
-// GoogleTest finds it by the type's namespace; without it a failure shows bytes.
+// Found by GoogleTest through the type's namespace; otherwise a failure shows bytes.
 void PrintTo(const ContractSubject& subject, std::ostream* to);
 
-// Those that this test program knows.
+// The drivers of this test program.
 std::vector<ContractSubject> contract_subjects();
 
 }  // namespace bodkin

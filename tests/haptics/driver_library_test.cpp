@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string plug_ins = std::string(BODKIN_STAND_INS) + "/plug_in";
+const std::string plug_ins = std::string(BODKIN_MOCKS) + "/plug_in";
 
 LibraryPlaces places(std::vector<std::string> where) {
   return {
@@ -67,7 +67,7 @@ TEST(DriverLibrary, that_the_user_chose_is_the_only_one_looked_for) {
 }
 
 TEST(DriverLibrary, is_found_below_an_environment_variable_unless_that_is_relative) {
-  setenv("BODKIN_TEST_PLACE", BODKIN_STAND_INS, 1);
+  setenv("BODKIN_TEST_PLACE", BODKIN_MOCKS, 1);
   EXPECT_EQ(DriverLibrary(places({"$BODKIN_TEST_PLACE/plug_in/no_entry.so"})).path(), plug_ins + "/no_entry.so");
   setenv("BODKIN_TEST_PLACE", ".", 1);
   EXPECT_THAT(refusal(places({"$BODKIN_TEST_PLACE/plug_in/no_entry.so", "libbodkin_nowhere.so"}), true),

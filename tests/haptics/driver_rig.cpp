@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/haptics/stand_ins/haply.h"
+#include "tests/haptics/mocks/haply.h"
 #include <dlfcn.h>
 
 #include "haptics/drivers/drivers.h"
@@ -13,11 +13,11 @@ namespace bodkin {
 using namespace bodkin::haptics;
 
 using namespace std::chrono_literals;
-using stand_in::Trouble;
+using mock::Trouble;
 
 namespace {
 
-const std::string stand_ins = BODKIN_STAND_INS;
+const std::string mocks = BODKIN_MOCKS;
 
 Mat3 columns(const Vec3& x, const Vec3& y, const Vec3& z) {
   Mat3 matrix;
@@ -27,16 +27,16 @@ Mat3 columns(const Vec3& x, const Vec3& y, const Vec3& z) {
 
 void without_symbol(DriverSubject& subject, const std::string& library, const std::string& symbol) {
   subject.absent = "library=/nowhere/lib.so";
-  subject.told_of_absent = {"/nowhere/lib.so"};
+  subject.absent_message = {"/nowhere/lib.so"};
   subject.unfit = "library=" + library;
-  subject.told_of_unfit = {library, symbol};
+  subject.unfit_message = {library, symbol};
 }
 
 DriverSubject force_dimension() {
   DriverSubject subject;
   subject.name = "force_dimension";
-  subject.library = stand_ins + "/force_dimension/libdrd.so";
-  without_symbol(subject, stand_ins + "/force_dimension_broken/libdrd.so", "dhdEnableForce");
+  subject.library = mocks + "/force_dimension/libdrd.so";
+  without_symbol(subject, mocks + "/force_dimension_broken/libdrd.so", "dhdEnableForce");
   // X towards the operator, Y right, Z up; m, N m.
   subject.pushed_vendor = {0.01, 0.02, 0.03};
   subject.pushed = {20, -10, 30};
@@ -57,8 +57,8 @@ DriverSubject force_dimension() {
 DriverSubject openhaptics() {
   DriverSubject subject;
   subject.name = "openhaptics";
-  subject.library = stand_ins + "/openhaptics/libHD.so";
-  without_symbol(subject, stand_ins + "/openhaptics_broken/libHD.so", "hdDisable");
+  subject.library = mocks + "/openhaptics/libHD.so";
+  without_symbol(subject, mocks + "/openhaptics_broken/libHD.so", "hdDisable");
   subject.settings = "dead_man=yes";
   // X right, Y up, Z towards the operator; mm, N mm; the middle of the workspace is at (0, 20, 0).
   subject.origin_vendor = {0, 20, 0};
@@ -84,8 +84,8 @@ DriverSubject openhaptics() {
 DriverSubject haption() {
   DriverSubject subject;
   subject.name = "haption";
-  subject.library = stand_ins + "/haption/libVirtuoseAPI.so";
-  without_symbol(subject, stand_ins + "/haption_broken/libVirtuoseAPI.so", "virtStopLoop");
+  subject.library = mocks + "/haption/libVirtuoseAPI.so";
+  without_symbol(subject, mocks + "/haption_broken/libVirtuoseAPI.so", "virtStopLoop");
   subject.settings = "relays_s=0.02";
   // X towards the operator, Y right, Z up; m, N m.
   subject.pushed_vendor = {0.01, 0.02, 0.03};
@@ -106,18 +106,18 @@ DriverSubject haption() {
 }
 
 DriverSubject haply() {
-  static stand_in::Board other_board;
-  static const stand_in::HaplyService service(stand_in::board());
-  static const stand_in::HaplyService old_service(other_board, {.version = "2.9.1"});
+  static mock::Board other_board;
+  static const mock::HaplyService service(mock::board());
+  static const mock::HaplyService old_service(other_board, {.version = "2.9.1"});
   DriverSubject subject;
   subject.name = "haply";
-  subject.service = &stand_in::board();
+  subject.service = &mock::board();
   subject.settings =
       "port=" + std::to_string(service.port()) + " dead_man=c silence_ms=1000";  // a busy machine is no fault
   subject.absent = "port=1";
-  subject.told_of_absent = {"localhost:1", "haply-inverse-service"};
+  subject.absent_message = {"localhost:1", "haply-inverse-service"};
   subject.unfit = "port=" + std::to_string(old_service.port());
-  subject.told_of_unfit = {"2.9.1", "3.0 or newer"};
+  subject.unfit_message = {"2.9.1", "3.0 or newer"};
   // X right, Y away, Z up; m; the middle of the workspace is at (0, -0.15, 0.2).
   subject.origin_vendor = {0.0, -0.15, 0.20};
   subject.pushed_vendor = {0.01, -0.13, 0.23};
@@ -125,7 +125,7 @@ DriverSubject haply() {
   subject.left_vendor = columns(Vec3::UnitY(), -Vec3::UnitX(), Vec3::UnitZ());
   subject.force_vendor = {1, 2, 3};
   subject.torque_vendor = Vec3::Zero();
-  subject.tells_of_a_freeze = true;
+  subject.reports_freeze = true;
   subject.at_open = {{Trouble::no_device, DeviceFault::not_connected},
                      {Trouble::wrong_version, DeviceFault::wrong_version},
                      {Trouble::uncalibrated, DeviceFault::not_calibrated}};
@@ -163,11 +163,11 @@ const DriverSubject& driver_subject(const std::string& name) {
   throw std::out_of_range(name);
 }
 
-stand_in::Board& DriverSubject::board() const {
+mock::Board& DriverSubject::board() const {
   if (service != nullptr) return *service;
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(dlerror());
-  const auto entry = reinterpret_cast<stand_in::Board* (*)()>(dlsym(handle, "bodkin_stand_in"));
+  const auto entry = reinterpret_cast<mock::Board* (*)()>(dlsym(handle, "bodkin_mock"));
   return *entry();
 }
 
@@ -183,7 +183,7 @@ void DriverRig::close() {
 }
 
 bool DriverRig::ticks(int count) {
-  const stand_in::Board& board = subject_.board();
+  const mock::Board& board = subject_.board();
   const std::int64_t goal = board.ticks.load() + count;
   return comes_true([&] { return board.ticks.load() >= goal; });
 }

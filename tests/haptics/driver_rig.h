@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/haptics/device_loop.h"
-#include "tests/haptics/stand_ins/board.h"
+#include "tests/haptics/mocks/board.h"
 
 #include "haptics/device_port.h"
 
@@ -15,31 +15,31 @@ namespace bodkin {
 
 using namespace bodkin::haptics;
 
-// A built-in driver and the stand-in that it drives, a library or a service, with what its vendor's frame and units
+// A built-in driver and the mock that it drives, a library or a service, with what its vendor's frame and units
 // make of known poses and forces (design table of axes: each row is written out, not computed).
 struct DriverSubject {
   std::string name;
   const bodkin_driver* driver;
-  std::string library;                 // empty for a service
-  std::string settings;                // besides library=
-  stand_in::Board* service = nullptr;  // of a stand-in that runs in this program
-  // Settings with which the vendor's software is not there or does not fit, and what must be told of it.
+  std::string library;             // empty for a service
+  std::string settings;            // besides library=
+  mock::Board* service = nullptr;  // of a mock that runs in this program
+  // Settings for missing or incompatible vendor software, and the required message.
   std::string absent, unfit;
-  std::vector<std::string> told_of_absent, told_of_unfit;
+  std::vector<std::string> absent_message, unfit_message;
 
   Vec3 origin_vendor = Vec3::Zero();  // the operator's origin
   Vec3 pushed_vendor, pushed;         // vendor's unit; mm
   Mat3 left_vendor;  // from the identity, in which the tool points away from the operator, a quarter to the left
   Vec3 force_vendor, force;    // N
   Vec3 torque_vendor, torque;  // vendor's unit; N mm
-  std::map<stand_in::Trouble, DeviceFault> at_open, in_loop;
-  bool tells_of_a_freeze = false;  // its rounds go on and say so; else the count of ticks stands still
+  std::map<mock::Trouble, DeviceFault> at_open, in_loop;
+  bool reports_freeze = false;  // its rounds go on and say so; else the count of ticks stands still
 
   std::string words() const { return library.empty() ? settings : "library=" + library + " " + settings; }
-  stand_in::Board& board() const;
+  mock::Board& board() const;
 };
 
-// GoogleTest finds it by the type's namespace; without it a failure shows bytes.
+// Found by GoogleTest through the type's namespace; otherwise a failure shows bytes.
 void PrintTo(const DriverSubject& subject, std::ostream* to);
 
 const std::vector<DriverSubject>& driver_subjects();
@@ -57,14 +57,14 @@ struct Push : DeviceTick {
   std::atomic<int> ticks{0};
 };
 
-// One of them with its loop, told what its stand-in sees.
+// One of them with its loop, and the settings of its mock.
 class DriverRig : public DeviceLoop {
  public:
   explicit DriverRig(const DriverSubject& subject, std::chrono::milliseconds patience = usual_patience);
   ~DriverRig();
 
   void close();
-  // Waits for so many ticks more of the vendor's; false when they do not come.
+  // Waits for so many more ticks of the vendor's; false if they do not arrive.
   bool ticks(int count);
   // Waits for a fault.
   bool fault(DeviceFault fault);

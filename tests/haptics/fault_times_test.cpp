@@ -1,4 +1,4 @@
-// How long a force lasts after a fault, measured at the motors of the stand-ins for the vendors' libraries: driver,
+// Duration of a force after a fault, measured at the motors of the mocks of the vendors' libraries: driver,
 // port, servo and guard together, in real time. BODKIN_FAULT_ROUNDS=30 haptics_tests --gtest_filter='*FaultTimes*'
 // measures every fault so often and prints the table of docs/safety.md; with BODKIN_WRITE_PAGES=1 it writes it there.
 #include <algorithm>
@@ -26,7 +26,7 @@ using namespace bodkin::haptics;
 
 namespace {
 
-using stand_in::Trouble;
+using mock::Trouble;
 
 // 0: the short form, which leaves out what force_contract_test.cpp has.
 int wanted_rounds() {
@@ -42,10 +42,10 @@ struct TimedFault {
   GuardReason reason;  // why the guard is faulted then
 };
 
-// Ticks that a driver adds: a command that is under way, and a status that is not polled in every tick.
+// Additional ticks of a driver: a command in transit, and a status that is not polled in every tick.
 constexpr double of_the_driver = 5.0;
 
-// ms; a tick that the machine holds up is felt for as long.
+// ms; a tick delayed by the machine prolongs the force.
 struct Measured {
   double time = 0.0, longest_gap = 1.0;
 };
@@ -72,7 +72,7 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     if (std::getenv("BODKIN_WRITE_PAGES") != nullptr)
       training::expect_table_on_page("safety.md", "| fault | limit |", table);
   }
-  // What the drivers' tests have measured so far: the limits of the faults in their order, and median and largest of
+  // The measurements of the drivers' tests so far: the limits of the faults in their order, and median and largest of
   // a fault and a driver.
   static std::vector<std::pair<std::string, double>>& limits() {
     static std::vector<std::pair<std::string, double>> all;
@@ -94,7 +94,7 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     board().clear();
   }
 
-  stand_in::Board& board() const { return GetParam().board(); }
+  mock::Board& board() const { return GetParam().board(); }
   double force() const { return Vec3(board().force[0], board().force[1], board().force[2]).norm(); }
 
   std::vector<TimedFault> faults() const {
@@ -117,7 +117,7 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     return all;
   }
 
-  // The hand drifts to and fro by some millimetres in four seconds, as no frozen device does.
+  // The hand drifts to and fro by some millimetres in four seconds, unlike a frozen device.
   void drift() {
     const double way = std::abs(std::fmod(0.001 * static_cast<double>(board().ticks.load()), 4.0) - 2.0);
     const Vec3 at = GetParam().origin_vendor + 0.05 * way * (GetParam().pushed_vendor - GetParam().origin_vendor);
@@ -147,7 +147,7 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
     }));
   }
 
-  // From the first tick with the fault, or from when the session is told to end, to the first tick without force.
+  // From the first tick with the fault, or from the request to end the session, to the first tick without force.
   Measured measured(const TimedFault& fault) {
     board().from_tick = board().ticks + 5;
     board().watched_from = board().from_tick.load();

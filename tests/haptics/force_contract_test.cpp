@@ -1,5 +1,5 @@
-// What every driver of a device with motors must do besides driver_contract.cpp, proved on a stand-in for its
-// vendor's library or service (docs/devices.md).
+// Requirements of every driver of a device with motors in addition to driver_contract.cpp, proved on a mock of
+// its vendor's library or service (docs/devices.md).
 #include <optional>
 
 #include "tests/haptics/driver_rig.h"
@@ -14,7 +14,7 @@ using namespace bodkin::haptics;
 namespace {
 
 using namespace std::chrono_literals;
-using stand_in::Trouble;
+using mock::Trouble;
 using testing::HasSubstr;
 
 constexpr int longest_push = 12;  // ms of the device's time from a fault to zero force (docs/devices.md)
@@ -30,7 +30,7 @@ class ForceContract : public testing::TestWithParam<DriverSubject> {
   }
 
   const DriverSubject& subject() const { return GetParam(); }
-  stand_in::Board& board() const { return subject().board(); }
+  mock::Board& board() const { return subject().board(); }
 
   void reset() const {
     board().clear();
@@ -50,15 +50,15 @@ class ForceContract : public testing::TestWithParam<DriverSubject> {
     try {
       const DevicePort port(*subject().driver, "", words);
     } catch (const DeviceError& error) {
-      told_ = error.what();
-      EXPECT_THAT(told_, HasSubstr(std::string(subject().driver->name) + ": "));
-      EXPECT_GT(told_.size(), 40u) << "one sentence that says what to do";
+      reported_ = error.what();
+      EXPECT_THAT(reported_, HasSubstr(std::string(subject().driver->name) + ": "));
+      EXPECT_GT(reported_.size(), 40u) << "one sentence that says what to do";
       return error.fault();
     }
     return DeviceFault::none;
   }
 
-  mutable std::string told_;
+  mutable std::string reported_;
 };
 
 TEST_P(ForceContract, finds_the_device_and_leaves_it_alone) {
@@ -197,12 +197,12 @@ TEST_P(ForceContract, starts_again_after_a_stop_and_opens_again_after_a_close) {
 
 TEST_P(ForceContract, software_of_the_vendors_that_is_not_there_is_not_installed) {
   EXPECT_EQ(fault_of_opening(subject().absent), DeviceFault::not_installed);
-  for (const std::string& words : subject().told_of_absent) EXPECT_THAT(told_, HasSubstr(words));
+  for (const std::string& words : subject().absent_message) EXPECT_THAT(reported_, HasSubstr(words));
 }
 
 TEST_P(ForceContract, software_of_the_vendors_that_does_not_fit_is_told_with_what_is_wrong) {
   EXPECT_EQ(fault_of_opening(subject().unfit), DeviceFault::wrong_version);
-  for (const std::string& words : subject().told_of_unfit) EXPECT_THAT(told_, HasSubstr(words));
+  for (const std::string& words : subject().unfit_message) EXPECT_THAT(reported_, HasSubstr(words));
 }
 
 TEST_P(ForceContract, a_setting_that_it_does_not_know_is_refused) {
@@ -212,7 +212,7 @@ TEST_P(ForceContract, a_setting_that_it_does_not_know_is_refused) {
 TEST_P(ForceContract, a_device_that_cannot_be_opened_says_why) {
   for (const auto& [trouble, fault] : subject().at_open) {
     board().trouble = trouble;
-    EXPECT_EQ(text_of(fault_of_opening(subject().words())), text_of(fault)) << told_;
+    EXPECT_EQ(text_of(fault_of_opening(subject().words())), text_of(fault)) << reported_;
     EXPECT_EQ(board().open_devices, 0) << text_of(fault);
     board().trouble = Trouble::none;
   }
@@ -272,7 +272,7 @@ TEST_P(ForceContract, a_loop_that_freezes_does_not_hang_the_stop) {
   EXPECT_TRUE(comes_true([&] {
     const auto before = ticks();
     std::this_thread::sleep_for(20ms);
-    return subject().tells_of_a_freeze ? rig.last().fault == DeviceFault::communication_lost : ticks() == before;
+    return subject().reports_freeze ? rig.last().fault == DeviceFault::communication_lost : ticks() == before;
   })) << "nobody sees the standstill";
   try {
     rig.port().stop();

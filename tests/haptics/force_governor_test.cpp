@@ -68,7 +68,7 @@ TEST(ForceGovernor, what_does_not_lead_towards_zero_never_steps_more_than_the_sl
   for (int tick = 0; tick < 20000; ++tick) {
     const Vec3 wanted(random.normal(), random.normal(), random.normal());
     const Vec3 now = governor.step({.constraint = wanted});
-    // The nearest point between the last force and zero, from which the rest of the way is limited.
+    // The nearest point between the last force and zero, from which the rest is limited.
     const double kept = last.squaredNorm() > 0.0 ? std::clamp(wanted.dot(last) / last.squaredNorm(), 0.0, 1.0) : 0.0;
     EXPECT_LE((now - kept * last).norm(), 0.2 + 1e-12);
     last = now;

@@ -9,7 +9,7 @@ namespace bodkin {
 
 using namespace bodkin::haptics;
 
-// A guard with a device that reports a hand at rest, alive with the smallest of tremors.
+// A guard with a device that reports a hand at rest, with a minimal tremor.
 struct GuardRig {
   explicit GuardRig(const GuardSettings& with = example()) : settings(with), guard(with) {}
 
@@ -23,7 +23,7 @@ struct GuardRig {
     return settings;
   }
 
-  // One tick in which the simulation asks for a force.
+  // One tick in which the simulation requests a force.
   const Wrench& tick(const Vec3& force, double age = 0.0, double dt = 0.001) {
     return tick(Wrench{force, Vec3::Zero()}, age, dt);
   }
@@ -33,7 +33,7 @@ struct GuardRig {
     for (const GuardEvent& event : guard.events()) events.push_back(event);
     return applied;
   }
-  // Armed, brought in, pushing with `force`.
+  // Armed, ramped up, pushing with `force`.
   void push(const Vec3& force) {
     for (int i = 0; i < 60; ++i) tick(Vec3(Vec3::Zero()));
     guard.arm();
@@ -41,7 +41,7 @@ struct GuardRig {
     for (int i = 0; i < 100; ++i) tick(force);
     events.clear();
   }
-  // Ticks with `force` until nothing leaves any more.
+  // Ticks with `force` until the output is zero.
   int ticks_to_zero(const Vec3& force) {
     int count = 0;
     while (count < 1000) {

@@ -1,4 +1,4 @@
-// The limits of HandGuard: peak, slew, heat, workspace, and whatever comes in.
+// The limits of HandGuard: peak, slew, heat, workspace, and arbitrary input.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,7 +71,7 @@ TEST(HandGuardLimits, an_axis_that_gives_energy_is_damped_and_says_so) {
   EXPECT_NEAR(rig.guard.energy().x() - before, -50 * 0.02 * 1.97, 0.05) << "N mm that the hand has got";
   EXPECT_EQ(rig.count(GuardReason::passivity), 1);
   EXPECT_TRUE(rig.guard.limits() & (1U << static_cast<unsigned>(GuardReason::passivity)));
-  // Against the force the hand gives it back, and the damping ends.
+  // Moving against the force, the hand returns the energy, and the damping ends.
   for (int i = 0; i < 60; ++i) {
     rig.device.hand.translation().x() -= 0.02;
     rig.tick(Vec3(2.0, 0.0, 0.0));
@@ -140,7 +140,7 @@ TEST(HandGuardLimits, come_from_what_a_device_reports) {
   EXPECT_NO_THROW(HandGuard(guard_settings({}, 1000.0))) << "a device without forces";
 }
 
-// Whatever comes in, in whatever order.
+// Any input in any order.
 TEST(HandGuardLimits, the_wrench_is_finite_and_within_the_bounds_whatever_comes_in) {
   const double wild[] = {0.0,         1e-300, 1.0, -1.0, 50.0, 1e6, 1e200, std::numeric_limits<double>::infinity(),
                          std::nan("")};

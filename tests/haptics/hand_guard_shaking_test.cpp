@@ -1,4 +1,4 @@
-// What HandGuard does about a hand that is shaken: half the force, a quarter and damping, none, whatever found it.
+// HandGuard's response to a shaken hand: half the force, a quarter and damping, none, for any detector.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -33,7 +33,7 @@ struct Steps {
   double softer = 0.0, damped = 0.0, ended = 0.0, zero = 0.0;
 };
 
-// A hand that moves as `hand` says, whatever is done, under what `wanted` says; both of the time, s.
+// A hand that moves by `hand`, regardless of the force, under the force `wanted`; both functions of time, s.
 Steps shake_on(GuardRig& rig, const std::function<Pose(double)>& hand, const std::function<Wrench(double)>& wanted) {
   rig.push(no_push);
   for (int i = 0; i < 100; ++i) rig.tick(wanted(0.0));
@@ -70,7 +70,7 @@ std::string on_axis(int axis, double hertz) {
   return "axis " + std::to_string(axis) + ", " + std::to_string(hertz) + " Hz";
 }
 
-// A force that is as it is wherever the hand goes gives and takes energy that no tissue had: passivity would damp it.
+// A force independent of the hand's place exchanges energy that no tissue stored: passivity would damp it.
 GuardSettings undamped() {
   GuardSettings settings = GuardRig::example();
   settings.damping = 0.0;
@@ -92,7 +92,7 @@ std::function<Pose(double)> moving(int axis, std::function<double(double)> place
 
 TEST(HandGuardShaking, a_tool_that_turns_to_and_fro_about_any_axis_loses_its_torque_step_by_step) {
   for (int axis = 0; axis < 3; ++axis) {
-    // From 0.02 rad on at 19 Hz; below, from what 20 m/s^2 at 30 mm are.
+    // From 0.02 rad on at 19 Hz; below, from 20 m/s^2 at 30 mm.
     for (const double hertz : {6.0, 8.0, 12.0, 18.0, 20.0, 30.0, 60.0, 100.0, 150.0, 200.0}) {
       GuardRig rig;
       const double amplitude =
@@ -144,8 +144,7 @@ TEST(HandGuardShaking, what_turns_is_damped_about_the_axis_on_which_it_turns) {
   EXPECT_EQ(sideways, 0.0);
 }
 
-// The account of energy alone finds it: each cycle is wider or narrower than the one before, and none is wide or
-// fast.
+// Only the account of energy finds it: each cycle is wider or narrower than the one before, and none is wide or fast.
 TEST(HandGuardShaking, what_the_force_drives_goes_through_the_same_steps) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double hertz : {3.2, 4.0, 6.0, 8.0, 11.0, 14.0, 18.0}) {
@@ -189,10 +188,10 @@ GuardSettings undamped_of_1_N_mm() {
   return settings;
 }
 
-// Neither even nor wide, and the energy from turn to turn is hidden by what the spring stores: a spring that answers
-// late drives it.
+// Neither even nor wide, and the energy from turn to turn is hidden by what the spring stores: a late spring drives
+// it.
 TEST(HandGuardShaking, what_is_driven_unevenly_goes_through_the_same_steps) {
-  int late = 0;  // found later than usual, by chance of how unevenly they swing
+  int late = 0;  // found later than usual, due to their uneven swings
   for (int seed = 1; seed <= 300; ++seed) {
     const int axis = (seed - 1) % 3;
     for (const double hertz : {3.5, 5.0, 8.0, 12.0}) {
@@ -209,8 +208,8 @@ TEST(HandGuardShaking, what_is_driven_unevenly_goes_through_the_same_steps) {
   EXPECT_LE(late, 24) << "of 1200";
 }
 
-// The hand swings evenly, whatever is done. The force of 3 N opposes its speed by a tenth of itself, so that the hand
-// gives energy with each cycle and no account finds anything amiss.
+// The hand swings evenly, regardless of the force. The force of 3 N opposes its speed by a tenth of itself, so that
+// the hand gives energy with each cycle and no account finds anything amiss.
 TEST(HandGuardShaking, a_slow_small_even_swing_ends_the_force_though_the_hand_does_the_work) {
   for (const double wide : {0.2, 1.5, 5.0}) {
     for (const double hertz : {3.0, 4.0, 5.0, 6.0, 7.0, 8.4, 9.0, 12.0, 18.0}) {
@@ -266,7 +265,7 @@ TEST(HandGuardShaking, the_table_of_times_is_as_measured) {
     even += longest([&](int beginning) { return begun_at(0.2, 0.1, beginning); });
     driven += longest([&](int beginning) {
       GuardRig rig(undamped_of_1_N_mm());
-      // A swing that is shorter than 3 Hz on the average is slower now and then.
+      // A swing faster than 3 Hz on average is slower at times.
       return DrivenHand(std::max(hertz, 3.5), static_cast<std::uint64_t>(beginning + 1)).steps(rig, 2);
     });
   }

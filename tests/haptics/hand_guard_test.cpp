@@ -305,7 +305,7 @@ TEST(HandGuard, a_frozen_device_loses_its_force_in_time_though_the_tissue_relaxe
     rig.tick(Vec3(0.0, 0.0, 0.7));
     double seconds = 0.0;
     while (rig.guard.is_armed() && seconds < 2.0) {
-      // Under 0.5 N after 80 ms; and once no tick for 60 ms, after which the force is brought in anew.
+      // Under 0.5 N after 80 ms; and once no tick for 60 ms, after which the force ramps up again.
       const double dt = gap && seconds > 0.2 && seconds < 0.2015 ? 0.060 : 0.001;
       rig.tick(Vec3(0.0, 0.0, std::max(0.3, 0.7 * (1.0 - 4.0 * seconds))), 0.0, dt);
       seconds += dt;

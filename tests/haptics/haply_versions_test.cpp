@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "tests/haptics/driver_rig.h"
-#include "tests/haptics/stand_ins/haply.h"
+#include "tests/haptics/mocks/haply.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ class HaplyVersions : public testing::Test {
   }
   ~HaplyVersions() override { EXPECT_EQ(board_.violations, 0) << board_.first_violation.load(); }
 
-  void serve(const stand_in::HaplyService::Ways& ways) {
+  void serve(const mock::HaplyService::Behaviour& behaviour) {
     service_.reset();
-    service_.emplace(board_, ways);
+    service_.emplace(board_, behaviour);
   }
   std::string words(const std::string& settings = "") const {
     return "port=" + std::to_string(service_->port()) +
@@ -60,13 +60,13 @@ class HaplyVersions : public testing::Test {
     return {};
   }
 
-  stand_in::Board board_;
-  std::optional<stand_in::HaplyService> service_;
+  mock::Board board_;
+  std::optional<mock::HaplyService> service_;
 };
 
 TEST_F(HaplyVersions, every_version_is_found_takes_forces_and_tells_of_its_buttons) {
   for (const char* version : {"3.0", "3.1", "3.2", "3.3", "3.4", "3.5"}) {
-    serve(stand_in::HaplyService::of(version));
+    serve(mock::HaplyService::of(version));
     board_.buttons = 1;
     DevicePort port(haply_driver(), "", words());
     port.start();
@@ -81,9 +81,9 @@ TEST_F(HaplyVersions, every_version_is_found_takes_forces_and_tells_of_its_butto
 
 TEST_F(HaplyVersions, every_version_tells_that_no_force_is_obeyed) {
   for (const char* version : {"3.0", "3.3", "3.5"}) {
-    stand_in::HaplyService::Ways ways = stand_in::HaplyService::of(version);
-    ways.vector = ways.vector == "vector" ? "values" : "vector";
-    serve(ways);
+    mock::HaplyService::Behaviour behaviour = mock::HaplyService::of(version);
+    behaviour.vector = behaviour.vector == "vector" ? "values" : "vector";
+    serve(behaviour);
     DevicePort port(haply_driver(), "", words());
     port.start();
     const auto refused = [](const DeviceState& now) { return now.fault == DeviceFault::vendor_error; };
@@ -93,9 +93,9 @@ TEST_F(HaplyVersions, every_version_tells_that_no_force_is_obeyed) {
 
 TEST_F(HaplyVersions, http_and_websocket_are_found_on_one_port_or_two) {
   for (const bool apart : {false, true}) {
-    stand_in::HaplyService::Ways ways = stand_in::HaplyService::of("3.4");
-    ways.apart = apart;
-    serve(ways);
+    mock::HaplyService::Behaviour behaviour = mock::HaplyService::of("3.4");
+    behaviour.apart = apart;
+    serve(behaviour);
     // The service's usual ports, whichever of the two its HTTP has.
     const int http = service_->port(), socket = service_->websocket_port();
     for (const HaplyPorts& usual : {HaplyPorts{.newer = socket, .older = http, .events = 0},
@@ -110,7 +110,7 @@ TEST_F(HaplyVersions, http_and_websocket_are_found_on_one_port_or_two) {
 }
 
 TEST_F(HaplyVersions, the_older_port_takes_the_older_spelling_of_a_force) {
-  serve(stand_in::HaplyService::of("3.5"));
+  serve(mock::HaplyService::of("3.5"));
   const int port = service_->port();
   const DriverSettings none("", {"host", "port"});
   EXPECT_FALSE(open_haply_session(find_haply_service(none, {.newer = port, .older = 1, .events = 0})).older_format);
@@ -118,69 +118,69 @@ TEST_F(HaplyVersions, the_older_port_takes_the_older_spelling_of_a_force) {
 }
 
 TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_of_another_program_is_refused_by_name) {
-  stand_in::HaplyService::Ways ways = stand_in::HaplyService::of("3.5");
-  ways.preset = "arm_front_centered";
-  serve(ways);
+  mock::HaplyService::Behaviour behaviour = mock::HaplyService::of("3.5");
+  behaviour.preset = "arm_front_centered";
+  serve(behaviour);
   EXPECT_THAT(refusal(words()), HasSubstr("the preset arm_front_centered"));
-  ways = stand_in::HaplyService::of("3.5");
-  ways.mount_height = 0.05;
-  serve(ways);
+  behaviour = mock::HaplyService::of("3.5");
+  behaviour.mount_height = 0.05;
+  serve(behaviour);
   EXPECT_THAT(refusal(words()), HasSubstr("a mount that is moved or turned"));
-  ways = stand_in::HaplyService::of("3.2");
-  ways.basis = "XZY";
-  serve(ways);
+  behaviour = mock::HaplyService::of("3.2");
+  behaviour.basis = "XZY";
+  serve(behaviour);
   EXPECT_THAT(refusal(words()), HasSubstr("the basis XZY"));
 }
 
 TEST_F(HaplyVersions, a_basis_that_comes_with_the_introduction_is_refused_before_any_force) {
-  stand_in::HaplyService::Ways ways = stand_in::HaplyService::of("3.5");
-  ways.remembered_basis = "YXZ";
-  serve(ways);
+  mock::HaplyService::Behaviour behaviour = mock::HaplyService::of("3.5");
+  behaviour.remembered_basis = "YXZ";
+  serve(behaviour);
   EXPECT_THAT(refusal(words()), HasSubstr("the basis YXZ"));
   EXPECT_EQ(board_.force[0], 0.0);
 }
 
 TEST_F(HaplyVersions, the_event_channel_tells_of_the_brake_and_of_a_device_that_is_lost) {
-  serve(stand_in::HaplyService::of("3.5"));
+  serve(mock::HaplyService::of("3.5"));
   DevicePort port(haply_driver(), "", words());
   port.start();
   const auto with = [](DeviceFault fault) { return [fault](const DeviceState& now) { return now.fault == fault; }; };
   rounds_until(port, with(DeviceFault::none));
   const std::string of_safety = R"({"name":"device-safety-triggered","category":"device","level":"error",)";
-  service_->say("no JSON");
-  service_->say(R"({"name":"device-disconnected","data":{},"message":"whichever"})");  // nobody's
-  service_->say(of_safety + R"("data":{"device_id":"FFFF","safety_type":"ebrake_triggered"},"message":"another"})");
-  service_->say(of_safety +
-                R"("data":{"device_id":"04BA","safety_type":"ebrake_triggered"},"message":"E-brake on"})");
+  service_->send_event("no JSON");
+  service_->send_event(R"({"name":"device-disconnected","data":{},"message":"whichever"})");  // nobody's
+  service_->send_event(of_safety +
+                       R"("data":{"device_id":"FFFF","safety_type":"ebrake_triggered"},"message":"another"})");
+  service_->send_event(of_safety +
+                       R"("data":{"device_id":"04BA","safety_type":"ebrake_triggered"},"message":"E-brake on"})");
   rounds_until(port, with(DeviceFault::emergency_stop), Vec3(1, 0, 0));
   EXPECT_THAT(port.explain(), HasSubstr("E-brake on"));
-  service_->say(of_safety + R"("data":{"device_id":"04BA","safety_type":"ebrake_released"},"message":"off"})");
+  service_->send_event(of_safety + R"("data":{"device_id":"04BA","safety_type":"ebrake_released"},"message":"off"})");
   rounds_until(port, with(DeviceFault::none));
-  service_->say(R"({"name":"device-disconnected","data":{"device_id":"04BA"},"message":"gone"})");
+  service_->send_event(R"({"name":"device-disconnected","data":{"device_id":"04BA"},"message":"gone"})");
   rounds_until(port, with(DeviceFault::communication_lost));
-  service_->say(R"({"name":"device-connected","data":{"device_id":"04BA"},"message":"back"})");
+  service_->send_event(R"({"name":"device-connected","data":{"device_id":"04BA"},"message":"back"})");
   rounds_until(port, with(DeviceFault::none));
 }
 
 TEST_F(HaplyVersions, a_transform_that_is_set_meanwhile_takes_the_force) {
-  stand_in::HaplyService::Ways ways = stand_in::HaplyService::of("3.5");
-  serve(ways);
+  mock::HaplyService::Behaviour behaviour = mock::HaplyService::of("3.5");
+  serve(behaviour);
   DevicePort port(haply_driver(), "", words());
   port.start();
   rounds_until(port, [](const DeviceState& now) { return now.fault == DeviceFault::none; });
-  service_->oddity() = stand_in::Oddity::new_transform;
+  service_->oddity() = mock::Oddity::new_transform;
   rounds_until(
       port, [](const DeviceState& now) { return now.fault == DeviceFault::vendor_error; }, Vec3(1, 0, 0));
   EXPECT_THAT(port.explain(), HasSubstr("a transform"));
-  service_->oddity() = stand_in::Oddity::none;
+  service_->oddity() = mock::Oddity::none;
   rounds_until(port, [](const DeviceState& now) { return now.fault == DeviceFault::none; });
 }
 
 // As the vendor's own example of a remote configuration does, over HTTP, to whatever session runs.
 TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_that_is_set_meanwhile_takes_the_force) {
-  for (const stand_in::Oddity oddity :
-       {stand_in::Oddity::new_basis, stand_in::Oddity::new_preset, stand_in::Oddity::new_mount}) {
-    serve(stand_in::HaplyService::of("3.5"));
+  for (const mock::Oddity oddity : {mock::Oddity::new_basis, mock::Oddity::new_preset, mock::Oddity::new_mount}) {
+    serve(mock::HaplyService::of("3.5"));
     DevicePort port(haply_driver(), "", words());
     port.start();
     const Vec3 force(1, 0, 0);
@@ -198,7 +198,7 @@ TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_that_is_set_meanwhile_takes_th
       EXPECT_EQ(state.fault, DeviceFault::vendor_error);
       EXPECT_EQ(board_.force[0], 0.0);
     }
-    service_->oddity() = stand_in::Oddity::none;
+    service_->oddity() = mock::Oddity::none;
     rounds_until(port, [](const DeviceState& now) { return now.fault == DeviceFault::none; });
     port.stop();
   }
@@ -207,7 +207,7 @@ TEST_F(HaplyVersions, a_basis_a_preset_or_a_mount_that_is_set_meanwhile_takes_th
 TEST(HaplyEvents, are_read_and_what_is_none_is_nothing) {
   const HaplyEvent brake = parse_haply_event(
       R"({"name":"device-safety-triggered","data":{"device_id":"049D","safety_type":"stall_detected"},"message":"m"})");
-  EXPECT_EQ(brake.incident, HaplyIncident::told);
+  EXPECT_EQ(brake.incident, HaplyIncident::reported);
   EXPECT_EQ(brake.device, "049D");
   EXPECT_EQ(brake.message, "m");
   for (const char* text : {"", "[]", "7", "{", R"({"name":7,"data":[]})", R"({"name":"device-battery-low"})"}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The guard of a device around a wall, in a hand that holds the device: a closed loop that needs no clock.
+// The guard of a device around a wall, in a hand that holds the device: a closed loop without a clock.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -22,7 +22,7 @@ struct HeldOnDevice {
     model.resolution = device.resolution;
   }
 
-  // One tick: the hand means to be at `target`, and `force` answers the reading.
+  // One tick: the hand's intended position is `target`, and `force` answers the reading.
   const Wrench& tick(const Vec3& target, const std::function<Vec3(const Vec3&)>& force) {
     model.step(target, 0.001);
     state.hand.translation() = model.reading() + Vec3(ticks++ % 2 == 0 ? 1e-7 : 0.0, 0.0, 0.0);

@@ -14,7 +14,7 @@ namespace bodkin {
 using namespace bodkin::haptics;
 namespace {
 
-// How often a hand that swings at `hertz` and `wide` (mm from the middle) is found to be shaken within a second, by a
+// Number of detections within a second for a hand that swings at `hertz` and `wide` (mm from the middle), shaken by a
 // spring of `stiffness` (N/mm) about a push of 5 N that answers `late` seconds after the hand.
 int found(OscillationWatch watch, double hertz, double wide, double stiffness, double late, double drift = 0.0) {
   const auto place = [&](double time) {
@@ -32,7 +32,7 @@ int found(OscillationWatch watch, double hertz, double wide, double stiffness, d
 }
 
 TEST(OscillationWatch, fast_shaking_is_above_30_Hz_and_its_swing) {
-  const OscillationWatch watch(fast_shaking(0.05));
+  const OscillationWatch watch(fast_oscillation(0.05));
   EXPECT_GE(found(watch, 40.0, 0.1, 0.0, 0.0), 7);
   EXPECT_GE(found(watch, 200.0, 0.1, 0.0, 0.0), 7);
   EXPECT_GE(found(watch, 50.0, 0.04, 0.0, 0.0), 7) << "0.08 mm from side to side";
@@ -42,7 +42,7 @@ TEST(OscillationWatch, fast_shaking_is_above_30_Hz_and_its_swing) {
 }
 
 TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
-  const OscillationWatch watch(driven_shaking(0.2, 1.0, one_tick));
+  const OscillationWatch watch(driven_oscillation(0.2, 1.0, one_tick));
   EXPECT_GE(found(watch, 15.0, 1.0, 2.0, 0.004), 2) << "a spring that answers late";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.0), 0) << "a spring";
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, -0.004), 0) << "a spring with a damper";
@@ -52,14 +52,14 @@ TEST(OscillationWatch, driven_shaking_is_one_that_the_force_feeds) {
   EXPECT_EQ(found(watch, 15.0, 1.0, 2.0, 0.004, 60.0), 0) << "the hand goes somewhere";
 }
 
-// A trembling hand leans on a wall that yields, or on tissue that breath carries along: the force stays or changes
-// slowly, and what it gives on the way that a cycle does not close is not what shakes the hand.
+// A trembling hand leans on a wall that yields, or on tissue that breath carries along: the force is constant or
+// changes slowly, and its energy over the open part of a cycle does not shake the hand.
 TEST(OscillationWatch, a_tremor_under_a_force_that_stays_or_rises_is_the_hands_own) {
   for (const double push : {0.5, 1.5, 3.0}) {
     for (const double rise : {0.0, 1.0, -2.0}) {  // N, in 3 s
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        for (const OscillationWatch& fresh : {OscillationWatch(driven_shaking(0.15, 1.0, one_tick)),
-                                              OscillationWatch(slow_shaking(0.15, 1.0, one_tick))}) {
+        for (const OscillationWatch& fresh : {OscillationWatch(driven_oscillation(0.15, 1.0, one_tick)),
+                                              OscillationWatch(slow_oscillation(0.15, 1.0, one_tick))}) {
           OscillationWatch watch = fresh;
           Tremor tremor(0.1, one_tick, seed);
           const Vec3 aside = Vec3(0.6, -0.3, 0.74).normalized();
@@ -82,7 +82,7 @@ TEST(OscillationWatch, a_tremor_under_a_force_that_stays_or_rises_is_the_hands_o
 }
 
 TEST(OscillationWatch, bursts_with_rests_between_them_do_not_add_up) {
-  OscillationWatch watch(fast_shaking(0.05));
+  OscillationWatch watch(fast_oscillation(0.05));
   const Vec3 push(0.0, 0.0, 5.0);
   for (int burst = 0; burst < 5; ++burst) {
     for (int i = 0; i < 60; ++i) EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 20 < 10 ? 0.02 : -0.02), push, one_tick));
@@ -91,7 +91,7 @@ TEST(OscillationWatch, bursts_with_rests_between_them_do_not_add_up) {
 }
 
 TEST(OscillationWatch, a_hand_that_shakes_long_after_the_last_push_shakes_by_itself) {
-  OscillationWatch watch(fast_shaking(0.05));
+  OscillationWatch watch(fast_oscillation(0.05));
   watch.step(Vec3::Zero(), Vec3(0.0, 0.0, 5.0), one_tick);
   for (int i = 0; i < 110; ++i) watch.step(Vec3::Zero(), Vec3::Zero(), one_tick);
   for (int i = 0; i < 1000; ++i)
@@ -99,7 +99,7 @@ TEST(OscillationWatch, a_hand_that_shakes_long_after_the_last_push_shakes_by_its
 }
 
 TEST(OscillationWatch, a_force_that_changes_its_sign_with_the_hand_shakes_it) {
-  OscillationWatch watch(fast_shaking(0.05));
+  OscillationWatch watch(fast_oscillation(0.05));
   int count = 0;
   for (int i = 0; i < 1000; ++i) {
     const double sign = i % 20 < 10 ? 1.0 : -1.0;
@@ -109,7 +109,7 @@ TEST(OscillationWatch, a_force_that_changes_its_sign_with_the_hand_shakes_it) {
 }
 
 TEST(OscillationWatch, without_force_nothing_shakes_the_hand) {
-  OscillationWatch watch(fast_shaking(0.05));
+  OscillationWatch watch(fast_oscillation(0.05));
   for (int i = 0; i < 1000; ++i)
     EXPECT_FALSE(watch.step(Vec3(0.0, 0.0, i % 10 < 5 ? 0.1 : -0.1), Vec3::Zero(), one_tick));
 }

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string example_folder = std::string(BODKIN_STAND_INS) + "/plug_in";
+const std::string example_folder = std::string(BODKIN_MOCKS) + "/plug_in";
 
 std::string refusal(const std::string& name) {
   try {

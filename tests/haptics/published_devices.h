@@ -4,7 +4,7 @@
 
 namespace bodkin {
 
-// What the maker prints of a device, or of its kind, and the delay that its driver states.
+// Published numbers of a device, or of its kind, and the delay stated by its driver.
 struct PublishedDevice {
   const char* name;
   double peak, stiffness;  // N, N/mm; stiffness 0 = the maker prints none that a loop at 1 kHz reaches

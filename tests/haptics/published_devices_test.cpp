@@ -1,5 +1,5 @@
-// What the campaigns take for a device is what its driver says of it, completed from the table of devices: otherwise
-// they would prove the safety of devices that nobody holds.
+// The campaigns' device numbers are those of its driver, completed from the table of devices: otherwise they would
+// prove the safety of fictitious devices.
 #include "tests/haptics/published_devices.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace bodkin::haptics;
 
 namespace {
 
-// A driver and a device of its vendor, as that numbers them; 0: the one that the stand-in has by itself.
+// A driver and a device by its vendor's number; 0: the mock's default device.
 struct Owned {
   std::string driver;
   int type = 0;
@@ -41,12 +41,12 @@ class PublishedDeviceOf : public testing::TestWithParam<Owned> {
   }
 
   const std::vector<DeviceProfile> profiles = io::default_device_profiles();
-  DeviceAbilities told;  // by the driver alone
+  DeviceAbilities told;  // by the driver only
   const DeviceProfile* profile = nullptr;
 };
 
-// Whoever says a number says the same, and the table has every number that the driver has but a Touch's torque, which
-// the stand-in alone renders.
+// All sources agree on a number, and the table has every number of the driver except a Touch's torque, which only the
+// mock renders.
 TEST_P(PublishedDeviceOf, agrees_with_the_table) {
   ASSERT_NE(profile, nullptr) << told.name;
   const auto expect_same = [this](double of_driver, DeviceQuantity quantity, const char* what) {
@@ -83,13 +83,13 @@ TEST_P(PublishedDeviceOf, is_what_the_campaign_with_late_forces_takes_it_for) {
   EXPECT_DOUBLE_EQ(device.damping, same->damping);
   EXPECT_NEAR(device.delay, same->delay, 1e-6);  // Haption's library counts in float
   EXPECT_EQ(device.owns_loop, same->vendors_loop);
-  // Where neither driver nor table knows the encoder, the campaign assumes one.
+  // If neither driver nor table has the encoder, the campaign assumes one.
   if (device.resolution > 0.0) {
     EXPECT_DOUBLE_EQ(device.resolution, same->resolution);
   }
 }
 
-// Driver and type of everything in published_devices(), and of the two in the table that it has no need of.
+// Driver and type of all published_devices(), and of the two others in the table.
 INSTANTIATE_TEST_SUITE_P(EveryDevice, PublishedDeviceOf,
                          testing::Values(Owned{"openhaptics"}, Owned{"openhaptics", 1}, Owned{"openhaptics", 2},
                                          Owned{"haply"}, Owned{"force_dimension", 33}, Owned{"force_dimension", 34},

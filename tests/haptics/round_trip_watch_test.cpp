@@ -23,7 +23,7 @@ namespace {
 constexpr double stiffness = 1.0;  // N/mm, of the device
 
 RoundTripWatch watch_of_device() {
-  return {0.075, slow_shaking(0.0, stiffness, one_tick).gain};
+  return {0.075, slow_oscillation(0.0, stiffness, one_tick).gain};
 }
 
 // N along the motion at a place (mm). What depends on the place alone gives nothing on the way there and back.
@@ -41,7 +41,7 @@ double wall_seen_by_an_encoder(double place) {
   return spring(0.05 * std::floor(place / 0.05));
 }
 
-// How often it is found in so many seconds, and when first, of a hand that swings unevenly under a force that is
+// Number of detections in so many seconds, and time of the first, for a hand that swings unevenly under a force
 // computed `late` ticks late and held for one.
 struct Found {
   int often = 0;
@@ -81,7 +81,7 @@ TEST(RoundTripWatch, finds_what_leaves_the_wall_with_every_swing) {
   }
 }
 
-// Half an hour on each wall that a device renders: what a sampled wall leaks is no driving.
+// Half an hour on each wall that a device renders: the leak of a sampled wall does not count as driving.
 TEST(RoundTripWatch, an_uneven_hand_on_a_wall_is_its_own) {
   for (const Law& law :
        {Law(spring), Law(wall_on_one_side), Law(tissue_that_stiffens), Law(wall_seen_by_an_encoder)}) {
@@ -160,7 +160,7 @@ TEST(RoundTripWatch, tells_frequency_and_width) {
 
 // A hand that swings evenly, 1 mm from side to side about a place that may move, under a force whose part along the
 // motion is `drive` N (in phase with the speed) at those times at which `is_driven`. When it was found, s.
-struct Swung {
+struct SwingMotion {
   double hertz = 10.0;
   double base = -3.0, drive = 0.3;  // N
   std::function<bool(double time)> is_driven = [](double) { return true; };
@@ -189,7 +189,7 @@ struct Swung {
 // passage that is seen ends one that is not whole and does not count.
 TEST(RoundTripWatch, counts_whole_round_trips_alone_for_600_ms_and_three_of_them) {
   for (const double hertz : {3.1, 4.0, 5.5, 9.7, 17.0}) {
-    const std::vector<double> times = Swung{.hertz = hertz}.found();
+    const std::vector<double> times = SwingMotion{.hertz = hertz}.found();
     ASSERT_GT(times.size(), 1U) << hertz;
     const double trips = std::max(3.0, std::ceil(0.6 * hertz));
     EXPECT_NEAR(times[1] - times[0], trips / hertz, 0.003) << hertz << " Hz";
@@ -205,25 +205,26 @@ TEST(RoundTripWatch, a_round_trip_that_is_not_driven_begins_the_count_again) {
     const auto is_driven = [hertz = hertz, every = every](double time) {
       return std::fmod(time * hertz + 0.5, every) < every - 1.0;
     };
-    EXPECT_TRUE((Swung{.hertz = hertz, .is_driven = is_driven}.found().empty())) << hertz << " Hz";
+    EXPECT_TRUE((SwingMotion{.hertz = hertz, .is_driven = is_driven}.found().empty())) << hertz << " Hz";
   }
 }
 
 TEST(RoundTripWatch, a_pause_without_force_begins_the_count_again) {
   const auto pauses = [](double length) {
-    return Swung{.rests = [length](double time) { return std::fmod(time, 0.45 + length) > 0.45; }}.found();
+    return SwingMotion{.rests = [length](double time) { return std::fmod(time, 0.45 + length) > 0.45; }}.found();
   };
   EXPECT_FALSE(pauses(0.1).empty()) << "as between two pulses";
   EXPECT_TRUE(pauses(0.15).empty());
 }
 
 TEST(RoundTripWatch, forces_too_small_to_shake_a_hand_do_not_count) {
-  EXPECT_TRUE((Swung{.base = 0.0, .drive = 0.09}.found().empty()));
-  EXPECT_FALSE((Swung{.base = 0.0, .drive = 0.3}.found().empty())) << "and turns to and fro with the swing";
+  EXPECT_TRUE((SwingMotion{.base = 0.0, .drive = 0.09}.found().empty()));
+  EXPECT_FALSE((SwingMotion{.base = 0.0, .drive = 0.3}.found().empty())) << "and turns to and fro with the swing";
 }
 
 TEST(RoundTripWatch, follows_a_hand_that_swings_elsewhere_afterwards) {
-  const auto times = Swung{.middle = [](double time) { return 20.0 * std::min(1.0, time); }, .seconds = 3.0}.found();
+  const auto times =
+      SwingMotion{.middle = [](double time) { return 20.0 * std::min(1.0, time); }, .seconds = 3.0}.found();
   EXPECT_FALSE(times.empty());
 }
 

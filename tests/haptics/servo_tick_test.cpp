@@ -16,7 +16,7 @@ namespace bodkin {
 using namespace bodkin::haptics;
 namespace {
 
-// Time that passes only when it is told to.
+// Time controlled by the test.
 struct VirtualTime {
   std::int64_t now = 0;   // ns
   std::int64_t cost = 0;  // ns that pass with each look

@@ -28,7 +28,7 @@ Wrench push(const Vec3& force) {
   return {force, Vec3::Zero()};
 }
 
-// x(t) of a mass, spring and damper under a force that begins at t = 0, from the textbook (units kg, mm, s, N).
+// x(t) of a mass, spring and damper under a force applied from t = 0, from the textbook (units kg, mm, s, N).
 double step_response(const HandParameters& hand, double force, double t) {
   const double natural = std::sqrt(hand.stiffness * 1000.0 / hand.mass);
   const double ratio = hand.damping * 1000.0 / (2.0 * hand.mass * natural);

@@ -7,7 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace stand_in {
+namespace mock {
 
 SpnavServer::SpnavServer() {
   static int count = 0;
@@ -55,4 +55,4 @@ void SpnavServer::close_all() {
   listener_ = -1;
 }
 
-}  // namespace stand_in
+}  // namespace mock

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace stand_in {
+namespace mock {
 
 // spacenavd's socket, in a scratch folder: takes connections (the system's queue holds them) and sends events to the
 // last.
@@ -19,13 +19,13 @@ class SpnavServer {
   SpnavServer& operator=(const SpnavServer&) = delete;
 
   std::string path() const { return (folder_ / "spnav.sock").string(); }
-  // Takes the connection that has been made; blocks until there is one.
+  // Accepts a connection; blocks until there is one.
   void accept_one();
   void send(const Event& event) const;
   // The first bytes now, the rest with the next call.
   void send_bytes(const Event& event, std::size_t from, std::size_t to) const;
   void hang_up();
-  // Takes no connection any more and ends those that there are, as when the daemon stops.
+  // Accepts no more connections and ends the existing ones, as when the daemon stops.
   void close_all();
 
  private:
@@ -34,4 +34,4 @@ class SpnavServer {
   int client_ = -1;
 };
 
-}  // namespace stand_in
+}  // namespace mock

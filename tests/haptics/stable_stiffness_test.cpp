@@ -36,7 +36,7 @@ TEST(StableStiffness, a_vendors_own_loop_keeps_what_is_published) {
   device.owns_loop = true;
   EXPECT_DOUBLE_EQ(stable_stiffness(device, 1000.0).weakest(), 0.7);
   EXPECT_FALSE(stable_stiffness(device, 1000.0).is_cut());
-  // A device that was measured to be later than its driver says is offered less, an earlier one not more.
+  // A device measured to be later than its driver states gets less stiffness, an earlier one not more.
   device.measured_delay = 0.003;
   EXPECT_NEAR(stable_stiffness(device, 1000.0).weakest(), 0.7 * 3.0 / 7.0, 1e-12);
   device.measured_delay = 0.0;

@@ -16,8 +16,8 @@ namespace bodkin {
 using namespace bodkin::haptics;
 namespace {
 
-// s until a hand that swings at `hertz`, `wide` mm from the middle, is found to be shaken; negative: never in three
-// seconds. `fading`: the share by which each second leaves less.
+// s until a hand that swings at `hertz`, `wide` mm from the middle, is detected as shaken; negative: never in three
+// seconds. `fading`: the fraction lost per second.
 double found_after(SwingWatch watch, double hertz, double wide, int axis = 2, double fading = 0.0) {
   const auto place = [&](double time) {
     return wide * std::exp(-fading * time) * std::sin(6.283185307 * hertz * time);
@@ -64,7 +64,7 @@ TEST(SwingWatch, lets_a_swing_die_away) {
   EXPECT_LT(found_after(watch, 10.0, 8.0, 2, 4.0), 0.0);
 }
 
-// A hand swings like this by itself for a moment, but never as evenly for longer than a second.
+// A hand can swing like this for a moment, but never as evenly for longer than a second.
 TEST(SwingWatch, finds_a_small_swing_that_lasts) {
   for (const double hertz : {9.0, 12.0, 15.0, 18.0, 40.0}) {
     SwingWatch watch(0.05);
@@ -80,7 +80,7 @@ TEST(SwingWatch, finds_a_small_swing_that_lasts) {
   }
 }
 
-// s until a small even swing, `wide` mm from the middle, is found to last; 0: not within six seconds.
+// s until a small even swing, `wide` mm from the middle, is detected as lasting; 0: not within six seconds.
 double found_to_last(double hertz, double wide) {
   SwingWatch watch(0.05);
   const auto place = [&](int tick) { return wide * std::sin(6.283185307 * hertz * one_tick * tick); };
@@ -91,7 +91,7 @@ double found_to_last(double hertz, double wide) {
   return 0.0;
 }
 
-// What the wide and fast swings leave: from a tenth of a millimetre on, down to 3 Hz, in thirteen cycles and a half.
+// Swings neither wide nor fast: from a tenth of a millimetre on, down to 3 Hz, within thirteen and a half cycles.
 TEST(SwingWatch, finds_a_slow_small_swing_that_lasts_for_twelve_cycles) {
   for (const double hertz : {3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 8.5}) {
     for (const double wide : {0.12, 0.5, 2.0, 5.0}) {

@@ -1,4 +1,4 @@
-// What is particular to one vendor, beyond the contract of all drivers.
+// Specific to one vendor, beyond the contract of all drivers.
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -17,7 +17,7 @@ namespace bodkin {
 using namespace bodkin::haptics;
 namespace {
 
-using stand_in::Trouble;
+using mock::Trouble;
 using testing::HasSubstr;
 
 TEST(Drivers, have_names_of_their_own_and_speak_our_version) {
@@ -31,17 +31,17 @@ TEST(Drivers, have_names_of_their_own_and_speak_our_version) {
   EXPECT_EQ(names.size(), built_in_drivers().size());
 }
 
-TEST(StandIns, take_their_trouble_from_the_environment) {
-  // A copy is a library of its own, which reads the environment anew.
+TEST(Mocks, take_their_trouble_from_the_environment) {
+  // A copy is a separate library, which reads the environment anew.
   const std::filesystem::path copy =
-      std::filesystem::temp_directory_path() / ("bodkin_stand_in_" + std::to_string(getpid()) + ".so");
+      std::filesystem::temp_directory_path() / ("bodkin_mock_" + std::to_string(getpid()) + ".so");
   std::filesystem::copy_file(driver_subject("force_dimension").library, copy);
-  setenv("BODKIN_STAND_IN", "stop_blocks@12", 1);
+  setenv("BODKIN_MOCK", "stop_blocks@12", 1);
   DriverSubject troubled = driver_subject("force_dimension");
   troubled.library = copy;
   EXPECT_EQ(troubled.board().trouble, Trouble::stop_blocks);
   EXPECT_EQ(troubled.board().from_tick, 12);
-  unsetenv("BODKIN_STAND_IN");
+  unsetenv("BODKIN_MOCK");
   std::filesystem::remove(copy);
 }
 
@@ -58,7 +58,7 @@ TEST(DriverSettings, hold_words_numbers_and_quoted_paths) {
 
 TEST(ForceDimension, an_sdk_without_the_newer_functions_works) {
   DriverSubject old = driver_subject("force_dimension");
-  old.library = std::string(BODKIN_STAND_INS) + "/force_dimension_old/libdrd.so";
+  old.library = std::string(BODKIN_MOCKS) + "/force_dimension_old/libdrd.so";
   old.board().clear();
   DriverRig rig(old);
   EXPECT_DOUBLE_EQ(rig.port().abilities().peak_force, 12.0);  // of the model's table
@@ -100,7 +100,7 @@ TEST(ForceDimension, a_falcon_is_calibrated_by_the_hand_that_moves_it) {
   };
   EXPECT_THAT(told(""), HasSubstr("initialise=yes"));
   EXPECT_THAT(told(" initialise=yes move_s=0.2"), HasSubstr("within 0.2 s"));
-  fd.board().habit = stand_in::Hand::wander;
+  fd.board().habit = mock::Hand::wander;
   EXPECT_EQ(told(" initialise=yes"), "");
   EXPECT_EQ(fd.board().pushes, 0);
   EXPECT_EQ(fd.board().violations, 0) << fd.board().first_violation.load();
@@ -142,7 +142,7 @@ TEST(ForceDimension, a_serial_number_that_is_not_there_is_told) {
   EXPECT_EQ(fd.board().open_devices, 0);
 }
 
-// Each time that the power comes: the loop runs meanwhile, lest the vendor drop the connection.
+// Each time the power comes on: the loop runs meanwhile, lest the vendor drop the connection.
 TEST(Haption, nobody_holds_it_and_it_has_no_force_until_the_relays_have_closed) {
   DriverSubject virtuose = driver_subject("haption");
   virtuose.settings = "relays_s=0.5";

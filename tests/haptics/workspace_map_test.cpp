@@ -79,7 +79,7 @@ TEST(WorkspaceMap, the_pose_stays_rigid_and_there_and_back_is_the_identity) {
   }
 }
 
-// The power of the hand is that of the needle, with or without a re-grasp on the way.
+// The hand's power equals the needle's, with or without a re-grasp on the way.
 TEST(WorkspaceMap, the_hands_work_is_the_needles_work_at_scale_one) {
   Random random(9);
   for (int round = 0; round < 100; ++round) {
@@ -96,7 +96,7 @@ TEST(WorkspaceMap, the_hands_work_is_the_needles_work_at_scale_one) {
                            Vec3(random.normal(), random.normal(), 100.0 * random.normal())};
     const Wrench felt = map.felt(on_needle);
     const Pose before = map.needle();
-    // A small motion, in one step: what is left is of second order.
+    // A small motion in one step: the error is of second order.
     const double small = 1e-6;
     const Vec3 way = small * Vec3(random.normal(), random.normal(), random.normal());
     const Vec3 turn = small * Vec3(random.normal(), random.normal(), random.normal());
@@ -141,7 +141,7 @@ TEST(WorkspaceMap, a_frozen_needle_stays_and_is_not_felt_and_does_not_jump_when_
     map.freeze(false);
     const Pose hand = any_hand(random);
     EXPECT_LT(difference(map.step(hand, 0.001), stays), 1e-9);
-    // From now on it follows the hand as it would have followed before.
+    // From now on it follows the hand as before.
     Pose moved = hand;
     moved.translation() += Vec3(1.0, 2.0, 3.0);
     const Vec3 expected = map.settings().rotation * (map.settings().scale * Vec3(1.0, 2.0, 3.0));
@@ -210,7 +210,7 @@ TEST(WorkspaceMap, a_body_that_is_moved_glides_and_a_frozen_needle_goes_with_it)
   EXPECT_LT((map.step(Pose::Identity(), 0.001).translation() - last).norm(), 1e-9);
 }
 
-// Tissue that moves takes a needle along that nobody holds; the hand takes it up where it is then.
+// Moving tissue carries along a released needle; the hand takes it up at its new place.
 TEST(WorkspaceMap, a_held_needle_is_carried_and_one_in_the_hand_is_not) {
   Random random(19);
   for (int trial = 0; trial < 20; ++trial) {
@@ -233,8 +233,8 @@ TEST(WorkspaceMap, a_held_needle_is_carried_and_one_in_the_hand_is_not) {
   }
 }
 
-// It turns with the tissue about its tip, many small turns leave it a rotation, and the hand takes it up as it is
-// then.
+// It turns with the tissue about its tip, many small turns keep it a rotation, and the hand takes it up in its new
+// pose.
 TEST(WorkspaceMap, a_held_needle_turns_with_the_tissue) {
   Random random(20);
   WorkspaceMap map(any_settings(random, 1.3));

@@ -37,7 +37,7 @@ int guarded(char* message, const std::function<void()>& call) noexcept {
   } catch (const std::exception& error) {
     return failed(BODKIN_VENDOR_ERROR, error.what(), message);
   } catch (...) {
-    return failed(BODKIN_VENDOR_ERROR, "something that is no exception was thrown", message);
+    return failed(BODKIN_VENDOR_ERROR, "something that is not an exception was thrown", message);
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace bodkin::haptics {
 
-// What a built-in driver throws where it refuses: a result of bodkin_driver.h and one sentence.
+// Thrown by built-in drivers: a result of bodkin_driver.h and one sentence.
 class DriverFailure : public std::runtime_error {
  public:
   DriverFailure(int result, const std::string& message) : std::runtime_error(message), result_(result) {}
@@ -28,20 +28,20 @@ class OpenDevice {
   OpenDevice(const OpenDevice&) = delete;
   OpenDevice& operator=(const OpenDevice&) = delete;
 
-  // As the functions of bodkin_driver. A start() that throws leaves the device without force.
+  // As the functions of bodkin_driver. After a start() that throws, the device renders no force.
   virtual void start(bodkin_tick tick, void* user) = 0;
   virtual int exchange(const bodkin_command&, bodkin_state&) noexcept { return BODKIN_NOT_CONNECTED; }
   virtual void stop() = 0;
   virtual std::string explain() = 0;
 };
 
-// Told of each device: identity and title.
+// Receives each device: identity and title.
 using DeviceSink = std::function<void(const std::string&, const std::string&)>;
 
 // Copies as much of `text` as fits, with the final zero.
 void copy_text(const std::string& text, char* to, std::size_t size) noexcept;
 
-// Runs `call`; what it throws becomes a result and a message (BODKIN_MESSAGE bytes, or null).
+// Runs `call`; an exception becomes a result and a message (BODKIN_MESSAGE bytes, or null).
 int guarded(char* message, const std::function<void()>& call) noexcept;
 
 // Turns a class into a driver. Family has

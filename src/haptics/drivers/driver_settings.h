@@ -7,7 +7,7 @@
 
 namespace bodkin::haptics {
 
-// The "key=value" words that a user gives to a driver; a value with spaces stands in double quotes.
+// The "key=value" words that a user gives to a driver; a value with spaces is in double quotes.
 class DriverSettings {
  public:
   // Throws DriverFailure{BODKIN_BAD_SETTINGS} for words that are not of the form key=value and for keys not among

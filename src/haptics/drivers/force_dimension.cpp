@@ -21,13 +21,13 @@ namespace {
 using namespace force_dimension;
 
 constexpr int oldest_sdk = 314;                // 3.14
-constexpr unsigned char watchdog_steps = 160;  // 20 ms without a command, then the controller brakes by itself
-constexpr int status_every = 4;                // rounds between two looks at the status vector
+constexpr unsigned char watchdog_steps = 160;  // 20 ms without a command, then the controller brakes on its own
+constexpr int status_every = 4;                // rounds between two checks of the status vector
 constexpr int stop_attempts = 10;
 
-// Of the models that the SDK numbers. N, N mm, N/mm, N s/mm, half the workspace's width (and height) and depth in mm,
-// mm, s. The numbers are those of share/bodkin/devices.csv; relatives for which the makers print none have those of
-// the device beside them.
+// By the SDK's numbers of models. N, N mm, N/mm, N s/mm, half the workspace's width (and height) and depth in mm, mm,
+// s. The numbers are those of share/bodkin/devices.csv; related models without published numbers have those of the
+// device named beside them.
 struct Model {
   int first, last;  // system types
   double force, torque, stiffness, damping, half_width, half_depth, resolution, delay;
@@ -108,8 +108,8 @@ DriverSettings force_dimension_settings(const char* settings) {
   return {settings, {"library", "initialise", "move_s", "gravity", "peak_force"}};
 }
 
-// A device that is open in the SDK, closed at the end of its life. DRD, where there is one, answers only for devices
-// that it has opened itself.
+// A device that is open in the SDK, closed by the destructor. DRD, if present, answers only for devices that it has
+// opened itself.
 class Handle {
  public:
   // `index`: among the devices that are connected. Null when the SDK refuses.
@@ -214,7 +214,7 @@ class ForceDimensionDevice : public OpenDevice {
   }
 
  private:
-  // Expert functions are allowed only for this one call.
+  // Expert functions are enabled only for this one call.
   void set_watchdog() const {
     if (sdk_.dhdEnableExpertMode == nullptr || sdk_.dhdSetWatchdog == nullptr) return;
     sdk_.dhdEnableExpertMode();
@@ -323,7 +323,7 @@ struct ForceDimension {
     abilities.rate = 1000.0;
     abilities.delay = model.delay;
     copy_text(model.delay < 0.001 ? "Force Dimension data sheets: up to 4000 exchanges a second; one exchange"
-                                  : "no maker states it; one 1 ms frame of the bus (USB 2.0, 5.11)",
+                                  : "the vendor states none; one 1 ms frame of the bus (USB 2.0, 5.11)",
               abilities.delay_source, BODKIN_TEXT);
     const Vec3 half(model.half_width, model.half_depth, model.half_width);
     Eigen::Map<Vec3>(abilities.workspace_low) = -half;
@@ -339,7 +339,7 @@ struct ForceDimension {
     return sdk.dhdGetStatus(status, id) >= 0 && status[needs_reset] == 0;
   }
 
-  // Moves the device only where the user has said that it may. `move`: s.
+  // Moves the device only with the user's permission. `move`: s.
   static void calibrate(const ForceDimensionLibrary& sdk, char id, bool may_move, double move) {
     if (is_calibrated(sdk, id)) return;
     if (sdk.dhdGetSystemType(id) == falcon) return wait_for_falcon(sdk, id, may_move, move);
@@ -355,7 +355,7 @@ struct ForceDimension {
   }
 
   // A Falcon finds its position when its knob is moved through its reach; as in the SDK's samples, forces of zero are
-  // sent meanwhile, without which it does not look.
+  // sent meanwhile, without which it does not search.
   static void wait_for_falcon(const ForceDimensionLibrary& sdk, char id, bool asked, double move) {
     if (!asked) {
       throw DriverFailure(BODKIN_NOT_CALIBRATED,

@@ -42,11 +42,11 @@ struct ForceDimensionLibrary {
   int (*dhdSetMaxForce)(double limit, char);
   int (*dhdSetGravityCompensation)(int on, char);
   bool (*dhdHasActiveGripper)(char);
-  int (*dhdEmulateButton)(unsigned char on, char);  // a gripper that is closed counts as a button
+  int (*dhdEmulateButton)(unsigned char on, char);  // a closed gripper counts as a button
   int (*dhdEnableExpertMode)();
   int (*dhdDisableExpertMode)();
   int (*dhdSetWatchdog)(unsigned char steps_of_125_us, char);
-  int (*drdOpenID)(char index);  // the functions of DRD are for devices that it has opened
+  int (*drdOpenID)(char index);  // the functions of DRD are for devices that it opened
   int (*drdClose)(char);
   bool (*drdIsInitialized)(char);
   int (*drdAutoInit)(char);

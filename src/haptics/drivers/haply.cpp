@@ -59,7 +59,7 @@ std::uint32_t dead_man_of(const DriverSettings& settings) {
   throw DriverFailure(BODKIN_BAD_SETTINGS, "the setting dead_man is '" + name + "', expected none, a, b or c");
 }
 
-// X right, Y away, Z up, as the operator's; `axis`: of the grip, that points out of the tool's tip.
+// X right, Y away, Z up, as the operator's; `axis`: the grip's axis that points out of the tool's tip.
 VendorFrame frame_of(const DriverSettings& settings) {
   const std::string name = settings.text("tool_axis", "y");
   const bool negative = name.starts_with('-');
@@ -114,25 +114,26 @@ void must_be_fit(const HaplyInverse& device) {
                                                ", and forces would point the wrong way: take it back in Haply Hub");
 }
 
-struct Habits {
+struct InverseSettings {
   HaplyForceKey key;
   std::uint32_t dead_man;  // bit
   VendorFrame frame;
-  Clock::duration silence;  // without an answer, or without a position: the device is lost
+  Clock::duration silence;  // without an answer or a position: the device is lost
 };
 
 class InverseDevice : public OpenDevice {
  public:
-  InverseDevice(HaplyService service, HaplySession session, const Choice& choice, const Habits& habits)
+  InverseDevice(HaplyService service, HaplySession session, const Choice& choice,
+                const InverseSettings& inverse_settings)
       : service_(std::move(service)),
         connection_(std::move(session.connection)),
         identity_(choice.device.identity),
         inspects_(!session.older_format && (service_.version.major > 3 || service_.version.minor > 0)),
         has_grip_(!choice.grip.empty()),
-        dead_man_(habits.dead_man),
-        frame_(habits.frame),
-        silence_(habits.silence),
-        writer_(identity_, habits.key),
+        dead_man_(inverse_settings.dead_man),
+        frame_(inverse_settings.frame),
+        silence_(inverse_settings.silence),
+        writer_(identity_, inverse_settings.key),
         reader_(identity_, choice.grip) {
     listen();
   }
@@ -180,7 +181,7 @@ class InverseDevice : public OpenDevice {
     // Silence has ended the session, and with it the force.
     if (cause_.load() == Cause::silent) return connection_.reset();
     std::size_t size = 0;
-    const bool settled = !owed_ || hear(size, stop_patience);
+    const bool settled = !owed_ || receive(size, stop_patience);
     owed_ = false;
     if (settled && ask(writer_.force(Vec3::Zero()), size, stop_patience) &&
         ask(writer_.probe(), size, stop_patience)) {
@@ -195,8 +196,8 @@ class InverseDevice : public OpenDevice {
 
   std::string explain() override {
     const Cause cause = cause_.load();
-    const std::string said = cause == Cause::none || events_ == nullptr ? "" : events_->last();
-    return words_of(cause) + (said.empty() ? "" : " (its last event: '" + said + "')");
+    const std::string last_event = cause == Cause::none || events_ == nullptr ? "" : events_->last();
+    return words_of(cause) + (last_event.empty() ? "" : " (its last event: '" + last_event + "')");
   }
 
  private:
@@ -206,8 +207,8 @@ class InverseDevice : public OpenDevice {
     events_ = std::make_unique<HaplyEventListener>(HaplyAddress{service_.address.host, service_.events}, identity_);
   }
 
-  // Haply Hub gives a program that it knows by name the basis and the mount of last time, so what the inventory said
-  // before the introduction need not hold any more.
+  // Haply Hub restores the last basis and mount of a program that it knows by name, so the inventory from before the
+  // introduction may be outdated.
   void must_be_as_it_was(std::string_view state) const {
     for (const HaplyInverse& device : parse_haply_inventory(state).devices) {
       if (device.identity == identity_) must_be_fit(device);
@@ -226,7 +227,7 @@ class InverseDevice : public OpenDevice {
     connection_ = std::move(session.connection);
   }
 
-  // The first message of a start, and its answer; false when no answer arrives.
+  // Sends the first message of a start; false when no answer arrives.
   bool begin(std::size_t& size) {
     const std::string_view message = introduced_ ? writer_.force(Vec3::Zero()) : writer_.introduction();
     introduced_ = true;
@@ -234,14 +235,14 @@ class InverseDevice : public OpenDevice {
   }
 
   bool ask(std::string_view message, std::size_t& size, Clock::duration patience) noexcept {
-    return connection_->send(message, Clock::now() + patience) && hear(size, patience);
+    return connection_->send(message, Clock::now() + patience) && receive(size, patience);
   }
 
-  bool hear(std::size_t& size, Clock::duration patience) noexcept {
+  bool receive(std::size_t& size, Clock::duration patience) noexcept {
     return connection_->receive(reader_.buffer(), size, Clock::now() + patience);
   }
 
-  // One message out and its answer in. At most one is in flight, so that no force waits in a queue.
+  // Sends a message and receives its answer. At most one is in flight, so that no force waits in a queue.
   Cause round(const bodkin_command& command) noexcept {
     const Cause before = cause_.load();
     if (before == Cause::silent || before == Cause::refused) return before;
@@ -270,9 +271,9 @@ class InverseDevice : public OpenDevice {
     return Cause::silent;
   }
 
-  // Puts what a message says into the state. `pushed`: a force other than zero was sent.
+  // Updates the state by a message. `pushed`: a force other than zero was sent.
   Cause take(const HaplyReading& reading, Clock::time_point now, bool pushed) noexcept {
-    if (has_grip_) take_grip(reading);
+    if (has_grip_) update_grip(reading);
     if (reading.lists_devices && !reading.device_listed) return Cause::unplugged;
     if (reading.has_position) {
       frame_.put_position(reading.position, state_);
@@ -298,8 +299,8 @@ class InverseDevice : public OpenDevice {
     return Cause::none;
   }
 
-  // A grip that is gone, asleep or silent about its buttons does not hold the dead-man's switch.
-  void take_grip(const HaplyReading& reading) noexcept {
+  // A grip that is absent, asleep or silent about its buttons does not hold the dead-man's switch.
+  void update_grip(const HaplyReading& reading) noexcept {
     const bool awake = reading.grip_listed && reading.grip_awake;
     if (awake && reading.has_buttons) grip_buttons_ = reading.buttons;
     if (!awake) grip_buttons_ = 0;
@@ -357,7 +358,7 @@ struct Haply {
     const double silence = settings.number("silence_ms", 20.0, 5.0, 1000.0);
     const std::uint32_t dead_man = dead_man_of(settings);
     const VendorFrame frame = frame_of(settings);
-    force_key_of(settings, {}, false);  // a wrong one is refused before anybody is asked
+    force_key_of(settings, {}, false);  // a wrong one is refused before the service is asked
     const HaplyService service = find_haply_service(settings);
     HaplySession session = open_haply_session(service);
     const Choice choice = choose(session.inventory, identity, settings);
@@ -380,9 +381,9 @@ struct Haply {
     std::fill_n(abilities.workspace_high, 3, reach);
     abilities.measures_rotation = choice.grip.empty() ? 0 : 1;
     abilities.has_dead_man = dead_man == 0 ? 0 : 1;
-    const Habits habits{force_key_of(settings, service.version, session.older_format), dead_man, frame,
-                        std::chrono::microseconds(static_cast<long>(1000.0 * silence))};
-    return std::make_unique<InverseDevice>(service, std::move(session), choice, habits);
+    const InverseSettings inverse_settings{force_key_of(settings, service.version, session.older_format), dead_man,
+                                           frame, std::chrono::microseconds(static_cast<long>(1000.0 * silence))};
+    return std::make_unique<InverseDevice>(service, std::move(session), choice, inverse_settings);
   }
 };
 

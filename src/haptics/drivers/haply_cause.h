@@ -2,7 +2,7 @@
 
 namespace bodkin::haptics {
 
-// Why an Inverse3 has no force.
+// Reasons why an Inverse3 renders no force.
 enum class HaplyCause {
   none,
   silent,

@@ -54,9 +54,9 @@ bool wait_for(int file, short events, Clock::time_point deadline) noexcept {
 
 struct Addresses {
   Addresses(const HaplyAddress& address) {
-    addrinfo wish{};
-    wish.ai_socktype = SOCK_STREAM;
-    const int error = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wish, &first);
+    addrinfo hints{};
+    hints.ai_socktype = SOCK_STREAM;
+    const int error = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &first);
     if (error != 0) refuse(BODKIN_NOT_INSTALLED, gai_strerror(error));
   }
   ~Addresses() { freeaddrinfo(first); }
@@ -65,7 +65,7 @@ struct Addresses {
   addrinfo* first = nullptr;
 };
 
-// A TCP socket that waits until a deadline and no longer, as Beast wants its streams to be.
+// A TCP socket that waits at most until a deadline, with the interface of Beast's streams.
 class TimedSocket {
  public:
   using executor_type = asio::io_context::executor_type;
@@ -125,7 +125,7 @@ class TimedSocket {
   }
 
  private:
-  // The error; 0 when it is connected.
+  // The error; 0 when connected.
   int try_one(const addrinfo& to) noexcept {
     file_ = socket(to.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (file_ < 0) return errno;
@@ -150,7 +150,7 @@ class TimedSocket {
     const auto end = asio::buffer_sequence_end(buffers);
     for (auto at = asio::buffer_sequence_begin(buffers); at != end && message.msg_iovlen < most_pieces; ++at) {
       const auto piece = *at;
-      // iovec serves both directions and so knows no const.
+      // iovec serves both directions and so has no const.
       if (piece.size() > 0) pieces[message.msg_iovlen++] = {const_cast<void*>(piece.data()), piece.size()};
     }
     error = {};
@@ -173,7 +173,7 @@ class TimedSocket {
   int file_ = -1;
 };
 
-// What Beast calls at the end of a WebSocket.
+// Called by Beast at the end of a WebSocket.
 void teardown(boost::beast::role_type, TimedSocket& socket, error_code& error) noexcept {
   socket.shut_down();
   error = {};

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 using EventJson = nlohmann::json;
 using EventClock = HaplyConnection::Clock;
 
-constexpr auto listening_patience = 2000ms;   // for the channel to open; a closed port takes no time
+constexpr auto listening_patience = 2000ms;   // for the channel to open; a closed port is refused at once
 constexpr auto silence_patience = 24h * 365;  // between two events
 constexpr std::size_t longest_words = 160;    // bytes of a message that are kept
 
@@ -31,7 +31,7 @@ HaplyIncident incident_of(const std::string& name, const std::string& safety) {
   if (name != "device-safety-triggered") return HaplyIncident::other;
   if (safety == "ebrake_triggered") return HaplyIncident::braked;
   if (safety == "ebrake_released") return HaplyIncident::released;
-  return HaplyIncident::told;
+  return HaplyIncident::reported;
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ HaplyEventListener::HaplyEventListener(const HaplyAddress& address, std::string 
   try {
     connection_ = std::make_unique<HaplyConnection>(address, listening_patience);
   } catch (const DriverFailure&) {
-    return;  // services before 3.5 have no such channel
+    return;  // services before 3.5 lack this channel
   }
   listens_.store(true);
   thread_ = std::thread([this] { listen(); });
@@ -82,11 +82,11 @@ void HaplyEventListener::listen() noexcept {
   try {
     std::string text(longest_haply_message, '\0');
     std::size_t size = 0;
-    // A read takes several messages from the socket, so whether the socket has more says nothing of what is there.
+    // A read takes several messages from the socket, so an empty socket does not mean that none is buffered.
     while (connection_->receive(text, size, EventClock::now() + silence_patience))
       take(parse_haply_event(std::string_view(text).substr(0, size)));
   } catch (...) {
-    // What cannot be heard changes nothing: the session's own channel tells of a lost device, too.
+    // Read errors have no effect: the session's own channel reports a lost device, too.
   }
   listens_.store(false);
 }

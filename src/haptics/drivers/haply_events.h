@@ -11,10 +11,10 @@
 
 namespace bodkin::haptics {
 
-// What an event of Haply's service means to a hand that holds the device.
+// The meaning of an event of Haply's service for a hand that holds the device.
 enum class HaplyIncident {
-  other,         // nothing that changes the force
-  told,          // worth telling when something fails: a stall, a step of the device's own safety
+  other,         // does not change the force
+  reported,      // worth reporting when something fails: a stall, a step of the device's own safety
   braked,        // the device's emergency brake is engaged
   released,      // it is released
   disconnected,  // the device was lost
@@ -23,18 +23,17 @@ enum class HaplyIncident {
 
 struct HaplyEvent {
   HaplyIncident incident = HaplyIncident::other;
-  std::string device;   // whose, "" = not told
+  std::string device;   // device concerned, "" = not stated
   std::string message;  // the service's words, may be empty
 };
 
-// One message of the event channel. What cannot be read is HaplyIncident::other.
+// Parses one message of the event channel. An unreadable one is HaplyIncident::other.
 HaplyEvent parse_haply_event(std::string_view text);
 
-// Listens to the events of one device, on a thread of its own. Where the service has no such channel it hears
-// nothing.
+// Receives the events of one device on its own thread. If the service has no such channel it receives none.
 class HaplyEventListener {
  public:
-  // Waits for the channel for two seconds at most, and not at all where nothing listens.
+  // Waits for the channel for at most two seconds, and not at all if nothing listens.
   HaplyEventListener(const HaplyAddress& address, std::string device);
   ~HaplyEventListener();
   HaplyEventListener(const HaplyEventListener&) = delete;
@@ -43,9 +42,9 @@ class HaplyEventListener {
   // From any thread; these two lock nothing.
   bool is_braked() const noexcept { return braked_.load(); }
   bool is_disconnected() const noexcept { return disconnected_.load(); }
-  // Whether the channel is there and has not ended.
+  // Whether the channel exists and has not ended.
   bool listens() const noexcept { return listens_.load(); }
-  // The service's words about the last event that matters, may be empty.
+  // The service's words about the last relevant event, may be empty.
   std::string last() const;
 
  private:

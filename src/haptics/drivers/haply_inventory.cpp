@@ -44,7 +44,7 @@ std::string model_of(const std::string& type) {
   return "Inverse3";
 }
 
-// Whether the numbers of an object, where they are given, are all `expected`.
+// Whether all numbers given in an object are `expected`.
 bool are(const Json& json, std::initializer_list<const char*> keys, double expected) {
   return std::all_of(keys.begin(), keys.end(), [&](const char* key) {
     const Json& value = part(json, key);
@@ -52,14 +52,14 @@ bool are(const Json& json, std::initializer_list<const char*> keys, double expec
   });
 }
 
-// What is left out is as it was.
+// Absent parts count as unmoved.
 bool is_unmoved(const Json& transform) {
   return are(part(transform, "position"), {"x", "y", "z"}, 0.0) &&
          are(part(transform, "rotation"), {"x", "y", "z"}, 0.0) &&
          are(part(transform, "scale"), {"x", "y", "z"}, 1.0);
 }
 
-// A value that the pages give by itself or within an object of the same name.
+// A value that the vendor's pages give alone or within an object of the same name.
 std::string name_in(const Json& config, const char* key, const char* inner) {
   const std::string name = text_in(config, key);
   return name.empty() ? text_in(part(config, key), inner) : name;
@@ -97,7 +97,7 @@ HaplyVersion parse_haply_version(std::string_view body) {
 
 HaplyInventory parse_haply_inventory(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) throw DriverFailure(BODKIN_BAD_DATA, "its first message is no JSON object");
+  if (!json.is_object()) throw DriverFailure(BODKIN_BAD_DATA, "its first message is not a JSON object");
   HaplyInventory inventory;
   for (const Json& entry : part(json, "inverse3")) {
     const std::string identity = text_in(entry, "device_id");

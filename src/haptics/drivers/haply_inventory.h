@@ -6,23 +6,23 @@
 
 namespace bodkin::haptics {
 
-// What Haply's service reports about itself and the connected devices, before any is driven.
+// What Haply's service reports about itself and the connected devices, before any of them is used.
 
 struct HaplyVersion {
   int major = 0, minor = 0;
-  std::string text;  // as the service writes it
+  std::string text;  // in the service's format
 };
 
-// The body of GET /version. Throws DriverFailure{BODKIN_WRONG_VERSION}: what answers is not this service. The message
-// says what was found and nothing else.
+// The body of GET /version. Throws DriverFailure{BODKIN_WRONG_VERSION} if the response is not from this service. The
+// message says only what was found.
 HaplyVersion parse_haply_version(std::string_view body);
 
 struct HaplyInverse {
   std::string identity;
   std::string model;  // "Inverse3"
   bool calibrated = true;
-  // Empty, or the basis, preset, mount or transform that another program has set, so that the axes are not the
-  // vendor's own: "the basis XZY".
+  // Empty, or the basis, preset, mount or transform set by another program, so that the axes are not the vendor's
+  // own: "the basis XZY".
   std::string moved;
 };
 

@@ -13,7 +13,7 @@ namespace {
 namespace json = simdjson::ondemand;
 
 constexpr std::size_t longest_number = 32;
-constexpr std::size_t closing = 64;  // what follows the beginning of a command, numbers aside
+constexpr std::size_t closing = 64;  // rest of a command after its beginning, numbers aside
 constexpr double unmoved = 1e-6;     // of a transform's numbers
 
 // Runs `use(key, value)` for every member of an object; false when the object or a member is damaged.
@@ -42,7 +42,7 @@ bool elements(json::value value, Use use) noexcept {
   return true;
 }
 
-// An object of numbers that must all be there, named by single letters.
+// An object of numbers, all required, named by single letters.
 template <std::size_t Count>
 bool numbers(json::value value, const char (&letters)[Count], double* to) noexcept {
   constexpr unsigned all = (1U << (Count - 1)) - 1;
@@ -75,7 +75,7 @@ bool read_status(json::value value, HaplyReading& to) noexcept {
   });
 }
 
-// Whether every number of an object, save its `w`, is `expected`.
+// Whether every number of an object, except its `w`, is `expected`.
 bool are_all(json::value value, double expected, bool& so) noexcept {
   return members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "w") return true;
@@ -86,7 +86,7 @@ bool are_all(json::value value, double expected, bool& so) noexcept {
   });
 }
 
-// The service leaves out what is as it was.
+// The service omits unchanged values.
 bool read_transform(json::value value, HaplyReading& to) noexcept {
   bool same = true;
   const bool whole = members(value, [&](json::raw_json_string key, json::value inner) {
@@ -98,14 +98,14 @@ bool read_transform(json::value value, HaplyReading& to) noexcept {
   return whole;
 }
 
-// A word that the pages give by itself or within an object of the same name, under `inner`. `usual`: whether it is
-// one of those that leave the axes as they are.
+// A word that the vendor's pages give alone or within an object of the same name, under `inner`. `usual`: whether it
+// is one that leaves the axes unchanged.
 template <typename Usual>
 bool read_word(json::value value, const char* inner, Usual usual, bool& so) noexcept {
   const auto take = [&](json::value word) {
-    std::string_view said;
-    if (!text(word, said)) return false;
-    so = so && (said.empty() || usual(said));
+    std::string_view stated;
+    if (!text(word, stated)) return false;
+    so = so && (stated.empty() || usual(stated));
     return true;
   };
   json::json_type type{};
@@ -131,11 +131,11 @@ bool read_config(json::value value, HaplyReading& to) noexcept {
   const bool whole = members(value, [&](json::raw_json_string key, json::value inner) {
     if (key == "basis") {
       return read_word(
-          inner, "permutation", [](std::string_view said) { return said == "XYZ" || said == "xyz"; }, same);
+          inner, "permutation", [](std::string_view stated) { return stated == "XYZ" || stated == "xyz"; }, same);
     }
     if (key == "preset")
       return read_word(
-          inner, "preset", [](std::string_view said) { return said == "defaults"; }, same);
+          inner, "preset", [](std::string_view stated) { return stated == "defaults"; }, same);
     return !(key == "mount") || read_mount(inner, same);
   });
   to.has_config = true;
@@ -176,7 +176,7 @@ bool read_buttons(json::value value, HaplyReading& to) noexcept {
   });
 }
 
-// The button of a wired grip: one that has no name, or as several are told.
+// The button of a wired grip: a nameless one, or in the format of several.
 bool read_button(json::value value, HaplyReading& to) noexcept {
   bool pressed = false;
   if (!truth(value, pressed)) return read_buttons(value, to);
@@ -204,7 +204,7 @@ bool read_grip_state(json::value value, HaplyReading& to) noexcept {
   });
 }
 
-// One entry of a list; its name may come last, so whose it is shows at the end.
+// One entry of a list; its name may come last, so it is identified at the end.
 template <typename State, typename Status, typename Config>
 bool read_entry(json::value value, State state, Status status, Config config, HaplyReading& to,
                 std::string_view& name) noexcept {
@@ -261,7 +261,7 @@ struct HaplyStateReader::Parser {
       if (is_grips(key)) return elements(value, [&](json::value entry) { return read_grip(entry, to); });
       return true;
     });
-    return whole && document.current_location().error() == simdjson::OUT_OF_BOUNDS;  // nothing comes after it
+    return whole && document.current_location().error() == simdjson::OUT_OF_BOUNDS;  // nothing follows it
   }
 
   bool read_device(json::value entry, HaplyReading& to) const noexcept {

@@ -12,18 +12,18 @@
 
 namespace bodkin::haptics {
 
-// The JSON that passes in every tick between Haply's Inverse service and us: state messages in, commands out. Nothing
-// here allocates once an object is made. Lengths m, forces N, the service's axes.
+// The JSON messages exchanged in every tick with Haply's Inverse service: states in, commands out. Nothing here
+// allocates after construction. Lengths m, forces N, the service's axes.
 
-// What one state message says of the chosen device and grip. Every part of a message may be absent.
+// Content of one state message about the chosen device and grip. Every part of a message may be absent.
 struct HaplyReading {
   bool lists_devices = false;  // the message has a list of devices
   bool device_listed = false;  // and ours is in it
   bool has_position = false, has_velocity = false;
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s
-  bool calibrated = true, powered = true;                 // unless the message says that it is not
-  bool idle = false;                                      // the service says that nothing drives the device
-  bool moved = false;         // the service says that a transform changes the device's axes
+  bool calibrated = true, powered = true;                 // unless the message says otherwise
+  bool idle = false;                                      // the service reports that nothing drives the device
+  bool moved = false;         // the service reports that a transform changes the device's axes
   bool has_config = false;    // the message holds the device's configuration
   bool config_moved = false;  // which has a basis, a preset or a mount that changes its axes
 
@@ -37,7 +37,7 @@ struct HaplyReading {
 // Longest state message, bytes.
 constexpr std::size_t longest_haply_message = 65536;
 
-// Reads state messages of one device and one grip; "" stands for no grip.
+// Reads state messages of one device and one grip; "" means no grip.
 class HaplyStateReader {
  public:
   HaplyStateReader(const std::string& device, const std::string& grip);
@@ -45,10 +45,10 @@ class HaplyStateReader {
   HaplyStateReader(const HaplyStateReader&) = delete;
   HaplyStateReader& operator=(const HaplyStateReader&) = delete;
 
-  // Where the next message is to be put: longest_haply_message bytes.
+  // Memory for the next message: longest_haply_message bytes.
   std::span<char> buffer() noexcept;
-  // Reads the first `size` bytes of the buffer. False for what is not a state message: not JSON, not a number or one
-  // too large, a vector without one of its components.
+  // Reads the first `size` bytes of the buffer. False if they are not a state message: not JSON, an invalid or too
+  // large number, a vector without one of its components.
   bool read(std::size_t size, HaplyReading& reading) noexcept;
 
  private:
@@ -56,7 +56,7 @@ class HaplyStateReader {
   std::unique_ptr<Parser> parser_;
 };
 
-// How the service wants the vector of a force to be called: `vector` from 3.5 on, `values` before.
+// The service's name for the vector of a force: `vector` from 3.5 on, `values` before.
 enum class HaplyForceKey { vector, values };
 
 // Writes messages about one device.
@@ -65,13 +65,13 @@ class HaplyCommandWriter {
   // `device`: letters, digits and . : _ - only.
   HaplyCommandWriter(const std::string& device, HaplyForceKey key);
 
-  // The text is good until the next call. A force that is not finite is written as zero.
+  // The text is valid until the next call. A force that is not finite is written as zero.
   std::string_view force(const Vec3& force) noexcept { return write(force_, force); }  // N
-  // Must come first in a session: our name, and no force.
+  // Must be the first message of a session: our name, and no force.
   std::string_view introduction() noexcept { return write(introduction_, Vec3::Zero()); }
-  // Asks for a state and commands nothing, so that the device goes idle.
+  // Requests a state without a command, so that the device goes idle.
   std::string_view probe() const noexcept { return probe_; }
-  // N. The same as force(), and asks for a state that holds the devices' configuration, too.
+  // N. As force(), and requests a state that includes the devices' configuration.
   std::string_view inspection(const Vec3& force) noexcept { return write(inspection_, force); }
 
  private:

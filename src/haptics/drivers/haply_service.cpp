@@ -58,7 +58,7 @@ HaplyService find_haply_service(const DriverSettings& settings, const HaplyPorts
   const int events = names_events ? port_in("events_port", 0.0) : chosen == 0 ? usual.events : 0;
   const std::vector<int> ports = chosen == 0 ? std::vector{usual.newer, usual.older} : std::vector{chosen};
   std::string tried;
-  std::optional<DriverFailure> strange;  // something else answers there
+  std::optional<DriverFailure> strange;  // another program answers there
   for (const int port : ports) {
     const HaplyAddress address{host, port};
     try {

@@ -22,10 +22,10 @@ using namespace haption;
 constexpr float period = 0.001F;  // s
 constexpr int oldest_api = 4;
 constexpr int handle_buttons = 2;
-constexpr double longest_without_power = 0.5;             // s after the hand has taken the handle
+constexpr double longest_without_power = 0.5;             // s after the hand has grasped the handle
 constexpr const char* usual_address = "127.0.0.1#53210";  // the vendor's daemon on this machine
 
-// Of a Virtuose 6D Desktop, the smallest of the family, whatever the type: no source has the numbers of each.
+// For all types, the values of a Virtuose 6D Desktop, the smallest of the family: no source has numbers of each.
 constexpr double peak_force = 10.0, continuous_force = 3.0;  // N
 constexpr double peak_torque = 800.0;                        // N mm, where the handle's rotation has motors
 constexpr double stiffness = 2.0, damping = 0.01;            // N/mm, N s/mm
@@ -73,7 +73,7 @@ std::string words(const HaptionLibrary& api, int error) {
   return "error " + std::to_string(error) + (text == nullptr ? "" : ", '" + std::string(text) + "'");
 }
 
-// Of the library; the device's controller has another.
+// Version of the library; the device's controller has its own.
 std::string version_of(const HaptionLibrary& api) {
   int major = 0, minor = 0;
   api.virtAPIVersion(&major, &minor);
@@ -95,7 +95,7 @@ HaptionHandle load_haption(const DriverSettings& settings) {
   return api;
 }
 
-// A connection, closed at the end of its life.
+// A connection, closed by the destructor.
 class Connection {
  public:
   Connection(HaptionHandle api, const std::string& address)
@@ -121,7 +121,7 @@ class Connection {
   const HaptionLibrary& api() const noexcept { return *api_; }
   HaptionLibrary::Context context() const noexcept { return context_; }
 
-  // Throws unless a call about this connection went well.
+  // Throws unless a call for this connection succeeded.
   void must(int result, const char* what) const {
     if (result == 0) return;
     const int error = api_->virtGetErrorCode(context_);
@@ -134,18 +134,18 @@ class Connection {
     const Type* type = find_type(type_number());
     return type == nullptr ? "Virtuose of type " + std::to_string(type_number()) : type->name;
   }
-  // Whether its motors turn the handle: not where the type is unknown.
+  // Whether its motors turn the handle: false if the type is unknown.
   bool renders_torques() const {
     const Type* type = find_type(type_number());
     return type != nullptr && type->torques;
   }
-  // Of the library and of the controller, where that tells its own.
+  // Of the library, and of the controller if it reports one.
   std::string versions() const {
     int major = 0, minor = 0;
-    const bool told =
+    const bool known =
         api_->virtGetControlerVersion != nullptr && api_->virtGetControlerVersion(context_, &major, &minor) == 0;
     return "VirtuoseAPI " + version_of(*api_) +
-           (told ? ", controller " + std::to_string(major) + "." + std::to_string(minor) : "");
+           (known ? ", controller " + std::to_string(major) + "." + std::to_string(minor) : "");
   }
   std::string serial() const {
     int type = 0, serial = 0;
@@ -179,7 +179,7 @@ class HaptionDevice : public OpenDevice {
     c.must(api_.virtSetTimeStep(device_, period), "the time step");
     c.must(api_.virtSetBaseFrame(device_, origin.data()), "the base frame");
     c.must(api_.virtSetObservationFrame(device_, origin.data()), "the observation frame");
-    // After time step and force factor: the vendor asks for this order.
+    // After time step and force factor: the vendor requires this order.
     c.must(api_.virtSetCommandType(device_, command_impedance), "the command type");
     c.must(api_.virtSaturateTorque(device_, static_cast<float>(peak_force), static_cast<float>(peak_torque / 1000.0)),
            "the limits of force");
@@ -187,7 +187,7 @@ class HaptionDevice : public OpenDevice {
 
   ~HaptionDevice() override { halt(); }
 
-  // Power is asked for before the loop, as in the vendor's samples. The device gives it while the hand is on the
+  // Power is requested before the loop, as in the vendor's samples. The device gives it while the hand is on the
   // handle and the user's switch is on.
   void start(bodkin_tick tick, void* user) override {
     ticking_.store(false);
@@ -204,7 +204,7 @@ class HaptionDevice : public OpenDevice {
       if (api_.virtEnableForceFeedback != nullptr) {
         c.must(api_.virtEnableForceFeedback(device_, 1), "to enable the feedback of force");
       }
-      powered_ = true;  // also where it is refused: switching off what is off does no harm
+      powered_ = true;  // also if refused: switching off twice does no harm
       c.must(api_.virtSetPowerOn(device_, 1), "to switch the motors on");
       c.must(api_.virtSetPeriodicFunction(device_, &HaptionDevice::run, &period_, this), "a periodic function");
       c.must(api_.virtStartLoop(device_), "to start its loop");
@@ -231,7 +231,7 @@ class HaptionDevice : public OpenDevice {
   }
 
  private:
-  // The vendor's code of the first call that failed, 0 if none did.
+  // The vendor's code of the first failed call; 0: none failed.
   int halt() noexcept {
     if (!powered_) return 0;
     ticking_.store(false);
@@ -279,8 +279,8 @@ class HaptionDevice : public OpenDevice {
     return result;
   }
 
-  // The hand on the handle switches the motors' power; their relays then take their time, in which nobody holds the
-  // device as far as forces are concerned, so that none waits behind them to jump out.
+  // The hand on the handle switches the motors' power; until their relays have closed, the device counts as not held,
+  // so that no force builds up and jumps out.
   int result_of_power(bool held, bool power, double time) noexcept {
     if (power != has_power_ || held != was_held_) power_changed_ = time;
     has_power_ = power;
@@ -327,7 +327,7 @@ class HaptionDevice : public OpenDevice {
   float period_ = period;       // the vendor keeps its address
   VendorFrame frame_ = metres(x_near_frame());
 
-  // Of the loop.
+  // Of the vendor's loop.
   bool looping_ = false, powered_ = false;
   std::atomic<bool> ticking_{false};
   bodkin_tick tick_ = nullptr;
@@ -343,7 +343,7 @@ struct Haption {
   static constexpr const char* name = "haption";
   static constexpr const char* summary = "Virtuose devices (Haption VirtuoseAPI)";
 
-  // The vendor has no list: the one address is asked.
+  // The vendor provides no list: only the one address is asked.
   static void list(const char* text, const DeviceSink& found) {
     const DriverSettings settings = haption_settings(text);
     const std::string address = settings.text("address", usual_address);

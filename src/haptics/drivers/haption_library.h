@@ -49,7 +49,7 @@ struct HaptionLibrary {
 
 namespace haption {
 
-constexpr int indexing_none = 2;      // clutching is ours
+constexpr int indexing_none = 2;      // we do the clutching
 constexpr int command_impedance = 3;  // we send forces
 constexpr unsigned alarm_overheated = 0x4000, alarm_position = 0x40000;
 enum Error {

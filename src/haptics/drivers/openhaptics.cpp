@@ -22,12 +22,12 @@ constexpr long fault_shown = 20;           // ticks for which a passing fault is
 constexpr int longest_device_fault = 100;  // frames in a row
 constexpr int oldest_version = 3;
 constexpr double fastest_hand = 1000.0;  // mm/s
-constexpr double least_shift = 1.0;      // mm beyond the hand's own motion that a calibration moves the pose
+constexpr double least_shift = 1.0;      // mm beyond the hand's own motion by which a calibration moves the pose
 constexpr int shift_frames = 3;          // after an update within which the pose moves
-// s without ticks after a calibration has moved the pose: the guard brings the force in anew after 50 ms without one.
+// s without ticks after a calibration has moved the pose: after 50 ms without one the guard ramps the force up anew.
 constexpr double shift_pause = 0.060;
 
-// Of an error in the loop.
+// For an error in the loop.
 int result_of_openhaptics(unsigned code) noexcept {
   switch (code) {
     case success:
@@ -48,8 +48,8 @@ int result_of_openhaptics(unsigned code) noexcept {
   }
 }
 
-// The vendor's samples go on after these: its own limits, and a frame that did not reach the device, as long as the
-// next ones do. Every other error ends the session.
+// The vendor's samples continue after these: its own limits, and a frame that did not reach the device, as long as
+// the next ones do. Every other error ends the session.
 bool passes(unsigned code, int device_faults) noexcept {
   if (code == device_fault) return device_faults <= longest_device_fault;
   return code >= exceeded_force && code <= force_error;
@@ -102,11 +102,11 @@ std::string text(const OpenHapticsLibrary& hd, unsigned parameter) {
   return value == nullptr ? "" : value;
 }
 
-// A device that HD has initialised. Made, used and destroyed while the scheduler stands.
+// A device initialised by HD. Created, used and destroyed while the scheduler is stopped.
 class Initialised {
  public:
   Initialised(OpenHapticsSession& session, const std::string& name) : session_(session) {
-    session.newest_error(invalid_handle);  // what others have left behind
+    session.newest_error(invalid_handle);  // left behind by others
     id_ = session.hd.hdInitDevice(name.empty() ? nullptr : name.c_str());
     const unsigned error = session.newest_error(id_);
     if (id_ != invalid_handle && error == success) return;
@@ -129,12 +129,12 @@ class Initialised {
 void check_version(const OpenHapticsLibrary& hd) {
   const std::string version_text = text(hd, version);
   const int major = std::atoi(version_text.c_str());
-  if (major == 0 || major >= oldest_version) return;  // a version that is not a number says nothing
+  if (major == 0 || major >= oldest_version) return;  // a version that is not a number is ignored
   throw DriverFailure(BODKIN_WRONG_VERSION, hd.library.path() + " is version " + version_text +
                                                 ", expected 3.0 or newer: install a newer OpenHaptics");
 }
 
-// The one style that a device is calibrated in, of those that it supports: the vendor's samples choose so.
+// The style of a device's calibration, chosen from the supported ones as in the vendor's samples.
 unsigned style_of(const OpenHapticsLibrary& hd) {
   const auto supported = static_cast<unsigned>(whole(hd, calibration_style));
   for (const unsigned style : {automatic, inkwell, encoder_reset}) {
@@ -143,9 +143,9 @@ unsigned style_of(const OpenHapticsLibrary& hd) {
   return inkwell;
 }
 
-// While the scheduler stands encoders alone can be reset, and only when the user says that the arm is where the
-// vendor wants it: wherever it is becomes the origin. The other styles are for the servo, as in the vendor's
-// Calibration.c: a stylus that is put into its inkwell while it runs asks for an update there.
+// While the scheduler is stopped only encoders can be reset, and only when the user confirms that the arm is at the
+// vendor's position: its present place becomes the origin. The servo performs the other styles, as in the vendor's
+// Calibration.c: a stylus put into its inkwell during the run requests an update.
 void check_calibration(const OpenHapticsLibrary& hd, unsigned style, bool may_reset_encoders) {
   if (style != encoder_reset) return;
   if (may_reset_encoders) hd.hdUpdateCalibration(style);
@@ -166,7 +166,7 @@ class OpenHapticsDevice : public OpenDevice {
       style_ = style_of(hd_);
       check_calibration(hd_, style_, may_reset_encoders);
       session_->newest_error(device->id());
-      // What a device does not report leaves an error on the stack that the tick reads, so it is asked for once here.
+      // A quantity that a device does not report leaves an error on the stack that the tick reads, so read it here.
       double temperatures[6] = {};
       hd_.hdGetDoublev(motor_temperature, temperatures);
       has_temperature_ = session_->newest_error(device->id()) == success;
@@ -187,7 +187,7 @@ class OpenHapticsDevice : public OpenDevice {
     try {
       session_->paused([&] { device_.reset(); });
     } catch (const DriverFailure&) {
-      // Of the scheduler of other devices, whose ticks then no longer come.
+      // For the scheduler of other devices, whose ticks then stop.
     }
   }
 
@@ -202,7 +202,7 @@ class OpenHapticsDevice : public OpenDevice {
       abilities.stiffness = number(hd_, nominal_max_stiffness);
       abilities.damping = number(hd_, nominal_max_damping);
       abilities.measures_rotation = whole(hd_, input_freedoms) >= 6 ? 1 : 0;
-      session_->newest_error(device_->id());  // left by what this model does not report
+      session_->newest_error(device_->id());  // left by quantities that this model does not report
     });
     const Vec3 half = frame_.to_operator * (0.5 * (high_ - low_));
     Eigen::Map<Vec3>(abilities.workspace_low) = -half.cwiseAbs();
@@ -230,7 +230,7 @@ class OpenHapticsDevice : public OpenDevice {
       session_->paused([&] {
         hd_.hdMakeCurrentDevice(device_->id());
         session_->newest_error(device_->id());
-        enabled_ = hd_.hdCheckCalibration() != calibration_needs_hand;  // otherwise by calibrate(), once it is
+        enabled_ = hd_.hdCheckCalibration() != calibration_needs_hand;  // otherwise by calibrate(), once it has
         if (enabled_) hd_.hdEnable(force_output);
         error = session_->newest_error(device_->id());
         if (error == success) callback_ = session_->schedule(&OpenHapticsDevice::run, this);
@@ -246,7 +246,7 @@ class OpenHapticsDevice : public OpenDevice {
     }
   }
 
-  // The vendor applies no force once the scheduler stands.
+  // The vendor applies no force once the scheduler has stopped.
   void stop() override {
     session_->paused([&] {
       if (scheduled_) session_->unschedule(callback_);
@@ -270,13 +270,13 @@ class OpenHapticsDevice : public OpenDevice {
     try {
       if (scheduled_) OpenHapticsDevice::stop();
     } catch (const DriverFailure&) {
-      // What stop() asks of this device is done before it can fail.
+      // stop() completes its work on this device before it can fail.
     }
   }
 
   static unsigned run(void* self) noexcept { return static_cast<OpenHapticsDevice*>(self)->round(); }
 
-  // One tick in the scheduler's thread: one frame. A frame that sets no force has none.
+  // One tick in the scheduler's thread: one frame. A frame that sets no force exerts none.
   unsigned round() noexcept {
     const double time = monotonic_seconds();
     hd_.hdMakeCurrentDevice(device_->id());
@@ -305,8 +305,8 @@ class OpenHapticsDevice : public OpenDevice {
     return 1;
   }
 
-  // As the vendor's samples do, before the frame: a stylus that goes into its inkwell, or a device that refines its
-  // calibration all the time, asks for an update while it runs. Encoders are never reset under a hand.
+  // As in the vendor's samples, before the frame: a stylus put into its inkwell, or a device that refines its
+  // calibration continuously, requests an update during the run. Encoders are never reset under a hand.
   void calibrate() noexcept {
     const unsigned state = hd_.hdCheckCalibration();
     calibrated_ = state != calibration_needs_hand;
@@ -317,12 +317,12 @@ class OpenHapticsDevice : public OpenDevice {
     if (frames_since_update_ < shift_frames) ++frames_since_update_;
     if (state != calibration_needs_update || style_ == encoder_reset) return;
     hd_.hdUpdateCalibration(style_);
-    session_->newest_error(device_->id());  // an update that did not succeed is asked for again
+    session_->newest_error(device_->id());  // a failed update is requested again
     frames_since_update_ = 0;
   }
 
-  // A calibration that moves the pose is no motion of the hand. No tick comes for a while, and the frames carry no
-  // force; the guard then begins at zero, where it would take the pose's jump for a fault.
+  // A calibration that moves the pose is not a motion of the hand. For a while no ticks are called, and the frames
+  // carry no force; the guard, which would take the pose's jump for a fault, then begins at zero.
   void watch_for_shift(const Vec3& before, double time) noexcept {
     const double elapsed = time - frame_time_;
     frame_time_ = time;
@@ -395,7 +395,7 @@ class OpenHapticsDevice : public OpenDevice {
   bool has_temperature_ = false, has_dead_man_ = false, torques_ = false;
   double period_ = 0.001;  // s
 
-  // Of the loop.
+  // Of the vendor's loop.
   bodkin_tick tick_ = nullptr;
   void* user_ = nullptr;
   unsigned long callback_ = 0;
@@ -417,7 +417,7 @@ struct OpenHaptics {
   static constexpr const char* name = "openhaptics";
   static constexpr const char* summary = "Touch and PHANTOM devices (OpenHaptics)";
 
-  // HD has no list: the default device is opened without force, asked for its name, and closed.
+  // HD provides no list: the default device is opened without force, asked for its name, and closed.
   static void list(const char* words, const DeviceSink& found) {
     const DriverSettings settings = openhaptics_settings(words);
     const Session session = OpenHapticsSession::join(settings.text("library", ""));

@@ -60,7 +60,7 @@ constexpr unsigned current_buttons = 0x2000, current_safety_switch = 0x2001, cur
 constexpr unsigned force_output = 0x4000;
 // States of calibration.
 constexpr unsigned calibration_ok = 0x5000, calibration_needs_update = 0x5001, calibration_needs_hand = 0x5002;
-// Styles of calibration: bits of what a device supports, and one of them what is asked for.
+// Styles of calibration: bits of those supported by a device, one of them the requested one.
 constexpr unsigned encoder_reset = 1, automatic = 2, inkwell = 4;
 // Errors.
 constexpr unsigned success = 0x0000, warm_motors = 0x0200, exceeded_force = 0x0201, exceeded_impulse = 0x0202,

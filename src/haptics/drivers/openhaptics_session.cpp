@@ -8,7 +8,7 @@ namespace bodkin::haptics {
 
 namespace {
 
-constexpr int deepest_stack = 64;  // a stack that is never empty must not hold up the tick
+constexpr int deepest_stack = 64;  // a stack that never empties must not delay the tick
 
 bool is_of_scheduler(unsigned code) {
   return code >= openhaptics::first_scheduler_error && code <= openhaptics::last_scheduler_error;
@@ -45,7 +45,7 @@ void OpenHapticsSession::paused(const std::function<void()>& call) {
   resume();
 }
 
-// The error of a start is asked for at once, as in the vendor's samples. One of a device, which may tick already, is
+// The error of a start is read at once, as in the vendor's samples. An error of a device, which may tick already, is
 // kept for it.
 void OpenHapticsSession::resume() {
   if (scheduled_ == 0) return;

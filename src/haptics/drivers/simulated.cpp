@@ -20,8 +20,8 @@ namespace bodkin::haptics {
 namespace {
 
 constexpr double entry_below = 30.0;  // mm from the middle of the workspace to the planned entry
-constexpr double before = 1.5;        // s at rest, for the guard to arm and to bring the force in
-constexpr double after = 0.5;         // s at rest when all is done
+constexpr double before = 1.5;        // s at rest, for the guard to arm and ramp the force up
+constexpr double after = 0.5;         // s at rest at the end
 constexpr double tremor_onset = 0.5;  // s
 
 struct Plan {
@@ -124,7 +124,7 @@ class SimulatedDevice : public OpenDevice {
 
 struct Simulated {
   static constexpr const char* name = "simulated";
-  static constexpr const char* summary = "a simulated hand, for whoever has no device";
+  static constexpr const char* summary = "a simulated hand, for use without a device";
 
   static void list(const char* text, const DeviceSink& found) {
     plan_of(text);

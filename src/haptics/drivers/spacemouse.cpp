@@ -28,7 +28,7 @@ namespace {
 constexpr double longest_step = 0.02;  // s; after a stall the pose does not jump
 constexpr int most_events = 64;        // of one round
 
-// What spacenavd sends: eight integers, the first of which is the type.
+// The message of spacenavd: eight integers, the first of which is the type.
 using Event = std::array<std::int32_t, 8>;
 enum EventType { motion, press, release };
 
@@ -41,7 +41,7 @@ std::string socket_of(const DriverSettings& settings) {
   return settings.text("socket", named == nullptr || *named == '\0' ? "/var/run/spnav.sock" : named);
 }
 
-// A connection to the daemon, closed at the end of its life.
+// A connection to the daemon, closed by the destructor.
 class Socket {
  public:
   explicit Socket(const std::string& path) : file_(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
@@ -64,7 +64,7 @@ class Socket {
   Socket(const Socket&) = delete;
   Socket& operator=(const Socket&) = delete;
 
-  // Takes what has come. False when the daemon is gone.
+  // Reads what has arrived. False when the daemon is gone.
   template <typename Use>
   bool drain(Use use) noexcept {
     for (int event = 0; event < most_events; ++event) {
@@ -87,7 +87,7 @@ class Socket {
   std::size_t got_ = 0;
 };
 
-// Rows of signed units, from "x,-z,y": what goes to the operator's right, away from the operator, and up.
+// Rows of signed units, from "x,-z,y": the puck's axes to the operator's right, away from the operator, and up.
 Mat3 axes_of(const std::string& text) {
   Mat3 axes = Mat3::Zero();
   int row = 0;
@@ -113,10 +113,10 @@ Mat3 axes_of(const std::string& text) {
   return axes;
 }
 
-struct Feel {
-  Mat3 axes;          // the puck's in the operator's frame
+struct PuckSettings {
+  Mat3 axes;          // of the puck, in the operator's frame
   double full_scale;  // counts
-  double dead_zone;   // part of full scale that counts as nothing
+  double dead_zone;   // part of full scale that counts as zero
   double speed;       // mm/s at full scale
   double turn;        // rad/s at full scale
   double reach;       // mm, from the middle along each axis
@@ -130,7 +130,7 @@ struct Feel {
 
 class SpaceMouseDevice : public OpenDevice {
  public:
-  SpaceMouseDevice(const std::string& path, const Feel& feel) : socket_(path), path_(path), feel_(feel) {}
+  SpaceMouseDevice(const std::string& path, const PuckSettings& puck) : socket_(path), path_(path), puck_(puck) {}
 
   void start(bodkin_tick, void*) override {
     state_ = blank_state();
@@ -161,8 +161,8 @@ class SpaceMouseDevice : public OpenDevice {
   void take(const Event& event) noexcept {
     if (event[0] == motion) {
       for (std::size_t i = 0; i < 3; ++i) {
-        pull_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[1 + i]);
-        twist_[static_cast<Eigen::Index>(i)] = feel_.deflection(event[4 + i]);
+        pull_[static_cast<Eigen::Index>(i)] = puck_.deflection(event[1 + i]);
+        twist_[static_cast<Eigen::Index>(i)] = puck_.deflection(event[4 + i]);
       }
     } else if ((event[0] == press || event[0] == release) && event[1] >= 0 && event[1] < 31) {
       const std::uint32_t bit = 1U << event[1];
@@ -173,9 +173,9 @@ class SpaceMouseDevice : public OpenDevice {
   void move(double dt) noexcept {
     if (gone_.load()) dt = 0.0;
     const Vec3 before = position_;
-    position_ = (position_ + feel_.axes * pull_ * (feel_.speed * dt)).cwiseMax(-feel_.reach).cwiseMin(feel_.reach);
+    position_ = (position_ + puck_.axes * pull_ * (puck_.speed * dt)).cwiseMax(-puck_.reach).cwiseMin(puck_.reach);
     // Rotations change sign when the axes are mirrored.
-    const Vec3 turn = feel_.axes.determinant() * (feel_.axes * twist_) * (feel_.turn * dt);
+    const Vec3 turn = puck_.axes.determinant() * (puck_.axes * twist_) * (puck_.turn * dt);
     if (const double angle = turn.norm(); angle > 0.0) {
       rotation_ = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * rotation_;
       rotation_ = Eigen::Quaterniond(rotation_).normalized().toRotationMatrix();
@@ -187,7 +187,7 @@ class SpaceMouseDevice : public OpenDevice {
 
   Socket socket_;
   std::string path_;
-  Feel feel_;
+  PuckSettings puck_;
   bodkin_state state_ = blank_state();
   Vec3 pull_ = Vec3::Zero(), twist_ = Vec3::Zero();  // -1 to 1, the puck's axes
   Vec3 position_ = Vec3::Zero();
@@ -208,17 +208,17 @@ struct SpaceMouse {
 
   static std::unique_ptr<OpenDevice> open(const std::string&, const char* text, bodkin_abilities& abilities) {
     const DriverSettings settings = spacemouse_settings(text);
-    const Feel feel{.axes = axes_of(settings.text("axes", "x,-z,y")),
-                    .full_scale = settings.number("full_scale", 350.0, 1.0, 1e6),
-                    .dead_zone = settings.number("dead_zone", 0.05, 0.0, 0.9),
-                    .speed = settings.number("speed_mm_s", 50.0, 0.1, 1000.0),
-                    .turn = settings.number("turn_deg_s", 60.0, 0.0, 720.0) * (std::numbers::pi / 180.0),
-                    .reach = settings.number("reach_mm", 100.0, 1.0, 1000.0)};
-    auto device = std::make_unique<SpaceMouseDevice>(socket_of(settings), feel);
+    const PuckSettings puck{.axes = axes_of(settings.text("axes", "x,-z,y")),
+                            .full_scale = settings.number("full_scale", 350.0, 1.0, 1e6),
+                            .dead_zone = settings.number("dead_zone", 0.05, 0.0, 0.9),
+                            .speed = settings.number("speed_mm_s", 50.0, 0.1, 1000.0),
+                            .turn = settings.number("turn_deg_s", 60.0, 0.0, 720.0) * (std::numbers::pi / 180.0),
+                            .reach = settings.number("reach_mm", 100.0, 1.0, 1000.0)};
+    auto device = std::make_unique<SpaceMouseDevice>(socket_of(settings), puck);
     copy_text("SpaceMouse", abilities.name, BODKIN_TEXT);
     abilities.rate = 1000.0;
-    std::fill_n(abilities.workspace_low, 3, -feel.reach);
-    std::fill_n(abilities.workspace_high, 3, feel.reach);
+    std::fill_n(abilities.workspace_low, 3, -puck.reach);
+    std::fill_n(abilities.workspace_high, 3, puck.reach);
     abilities.measures_rotation = 1;
     return device;
   }

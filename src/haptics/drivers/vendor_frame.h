@@ -12,7 +12,7 @@ struct VendorFrame {
   Mat3 tool;                 // the tool of Bodkin (third axis hub to tip) in the vendor's tool
   double length = 1.0;       // mm per unit
   double torque = 1.0;       // N mm per unit
-  Vec3 centre{0.0, 0.0, 0};  // of the usable workspace, the vendor's axes and unit
+  Vec3 centre{0.0, 0.0, 0};  // of the usable workspace, in the vendor's axes and unit
 
   // position_operator = length M (p - centre)
   void put_position(const Vec3& vendor, bodkin_state& state) const noexcept {
@@ -53,13 +53,13 @@ inline VendorFrame x_near_frame() {
           .tool = rows(-Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitY())};
 }
 
-// The frame of a vendor that speaks m and N m.
+// The frame of a vendor that uses m and N m.
 inline VendorFrame metres(VendorFrame frame) {
   frame.length = frame.torque = 1000.0;
   return frame;
 }
 
-// A state at the workspace's centre, tool away from the operator, with nothing else known.
+// A state at the workspace's centre, tool away from the operator, with nothing else set.
 bodkin_state blank_state() noexcept;
 
 }  // namespace bodkin::haptics

@@ -1,5 +1,5 @@
-// What is particular to OpenHaptics, beyond the contract of all drivers: one scheduler and one stack of errors for
-// all devices, and calibration in the servo.
+// Specific to OpenHaptics, beyond the contract of all drivers: one scheduler and one stack of errors for all devices,
+// and calibration in the servo.
 #include <limits>
 
 #include "tests/haptics/driver_rig.h"
@@ -12,7 +12,7 @@ using namespace bodkin::haptics;
 
 namespace {
 
-using stand_in::Trouble;
+using mock::Trouble;
 using testing::HasSubstr;
 
 TEST(OpenHaptics, two_devices_share_the_scheduler_and_one_may_leave) {
@@ -58,7 +58,7 @@ TEST(OpenHaptics, an_error_of_one_device_is_not_the_others) {
   hd.board().clear();
 }
 
-// As an inkwell and a Desktop's continual refinement do: asked for before the scheduler runs, and again while it
+// As an inkwell and a Desktop's continual refinement do: requested before the scheduler runs, and again while it
 // does.
 TEST(OpenHaptics, a_calibration_that_needs_an_update_gets_it_in_the_servo_and_is_no_fault) {
   const DriverSubject& hd = driver_subject("openhaptics");
@@ -95,7 +95,7 @@ TEST(OpenHaptics, is_calibrated_in_one_style_that_it_supports) {
   hd.board().clear();
 }
 
-// Wherever the arm is becomes the origin, so that only the user can ask for it, and never under a hand.
+// The arm's present place becomes the origin, so only the user can request it, and never under a hand.
 TEST(OpenHaptics, resets_encoders_before_the_servo_and_only_when_it_is_asked_to) {
   const DriverSubject& hd = driver_subject("openhaptics");
   hd.board().clear();
@@ -115,7 +115,7 @@ TEST(OpenHaptics, resets_encoders_before_the_servo_and_only_when_it_is_asked_to)
     DevicePort port(*hd.driver, "", hd.words() + " reset_encoders=yes");
     EXPECT_EQ(hd.board().calibrations, before + 1);
     port.start(&push);
-    EXPECT_TRUE(comes_true([&] { return push.ticks > 200; }));  // the stand-in asks again after 50
+    EXPECT_TRUE(comes_true([&] { return push.ticks > 200; }));  // the mock asks again after 50
     EXPECT_EQ(push.fault, DeviceFault::none);
     EXPECT_EQ(hd.board().calibrations, before + 1);
   }

@@ -28,7 +28,7 @@ class SpaceMouse : public testing::Test {
     port->start();
     return port;
   }
-  // Moves the puck and lets it go at the end of its reach.
+  // Moves the puck and releases it at the end of its reach.
   static Vec3 pushed(DevicePort& port) {
     DeviceState state;
     Vec3 before;
@@ -52,14 +52,14 @@ class SpaceMouse : public testing::Test {
     return {};
   }
 
-  stand_in::SpnavServer server_;
+  mock::SpnavServer server_;
 };
 
 TEST_F(SpaceMouse, each_axis_of_the_puck_moves_its_own_way_and_stops_at_the_reach) {
   const Vec3 ways[3] = {{2, 0, 0}, {0, 0, 2}, {0, -2, 0}};  // right; up; towards the operator
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto port = started();
-    stand_in::SpnavServer::Event event{};
+    mock::SpnavServer::Event event{};
     event[1 + axis] = full;
     server_.send(event);
     EXPECT_EQ(pushed(*port), ways[axis]) << axis;
@@ -104,7 +104,7 @@ TEST_F(SpaceMouse, a_twist_turns_the_tool_about_the_same_axis) {
 
 TEST_F(SpaceMouse, an_event_that_comes_in_pieces_is_put_together) {
   const auto port = started();
-  const stand_in::SpnavServer::Event event{1, 1, 0, 0, 0, 0, 0, 0};
+  const mock::SpnavServer::Event event{1, 1, 0, 0, 0, 0, 0, 0};
   DeviceState state;
   server_.send_bytes(event, 0, 7);
   port->exchange({}, state);

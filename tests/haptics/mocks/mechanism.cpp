@@ -1,11 +1,11 @@
-#include "tests/haptics/stand_ins/mechanism.h"
+#include "tests/haptics/mocks/mechanism.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-namespace stand_in {
+namespace mock {
 
 namespace {
 constexpr double dt = 0.001;          // s
@@ -102,4 +102,4 @@ void Mechanism::step(Board& board, const double (&force)[3], const double (&torq
   ++board.ticks;
 }
 
-}  // namespace stand_in
+}  // namespace mock

@@ -1,4 +1,4 @@
-// A stand-in for libVirtuoseAPI.so with one 6D Desktop. Its loop is a thread that calls the periodic function as fast
+// A mock of libVirtuoseAPI.so with one 6D Desktop. Its loop is a thread that calls the periodic function as fast
 // as it likes, one simulated millisecond each. It enforces the order of the settings, impedance mode before forces,
 // power and force feedback before the loop and a closed emergency stop. The motors have power while the hand is on
 // the handle and the user's switch is on, and it drops a connection that gets no force for two seconds of its own
@@ -9,21 +9,21 @@
 #include <cstring>
 #include <thread>
 
-#include "tests/haptics/stand_ins/mechanism.h"
+#include "tests/haptics/mocks/mechanism.h"
 #include <Eigen/Geometry>
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
 namespace {
 
-using stand_in::board;
-using stand_in::Trouble;
+using mock::board;
+using mock::Trouble;
 using Context = void*;
 
 constexpr double peak = 10.0;
 
 struct Device {
-  stand_in::Mechanism mechanism{1.0, peak};
+  mock::Mechanism mechanism{1.0, peak};
   bool factor = false, step = false, base = false;
   int command = 0;
   bool limits = false;
@@ -48,7 +48,7 @@ int failed(int error) {
   return -1;
 }
 
-// 0 when a call about the device may be made.
+// 0 if a call about the device is permitted.
 int about(Context context) {
   if (context != &the_device || !open_now) {
     board().violation("a context that is not open");
@@ -72,7 +72,7 @@ int rule(Context context, bool kept, int error, const char* what) {
 }
 
 bool motors_have_power() {
-  const stand_in::Board& b = board();
+  const mock::Board& b = board();
   return the_device.power && !b.troubled_by(Trouble::emergency_stop) && !b.troubled_by(Trouble::no_power) &&
          !b.troubled_by(Trouble::hand_off);
 }
@@ -105,7 +105,7 @@ EXPORT Context virtOpen(const char* address) {
   if (open_now || board().troubled_by(Trouble::busy)) opening_error = 22;
   if (board().troubled_by(Trouble::other_controller)) opening_error = 20;
   if (opening_error != 0) return nullptr;
-  the_device.mechanism = stand_in::Mechanism{1.0, peak};
+  the_device.mechanism = mock::Mechanism{1.0, peak};
   the_device.feedback = false;
   the_device.factor = the_device.step = the_device.base = the_device.limits = false;
   the_device.command = 0;

@@ -1,7 +1,7 @@
-// A stand-in for libHD.so with one Touch-like device and a second one of the name "second". Its scheduler is a thread
+// A mock of libHD.so with one Touch-like device and a second one of the name "second". Its scheduler is a thread
 // that ticks as fast as it likes, one simulated millisecond each. It enforces the order of calls: about devices only
 // in the scheduler's thread while that runs; state between begin and end of a frame; one frame a tick; the force of a
-// tick is what its frame has set, zero otherwise. What breaks a rule goes on the stack of errors and to the board.
+// tick is what its frame has set, zero otherwise. Violations go onto the stack of errors and to the board.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,15 +10,15 @@
 #include <optional>
 #include <thread>
 
-#include "tests/haptics/stand_ins/mechanism.h"
+#include "tests/haptics/mocks/mechanism.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
 namespace {
 
-using stand_in::board;
-using stand_in::Board;
-using stand_in::Trouble;
+using mock::board;
+using mock::Board;
+using mock::Trouble;
 
 struct ErrorRecord {
   unsigned code;
@@ -27,7 +27,7 @@ struct ErrorRecord {
 };
 
 constexpr unsigned no_device = 0xFFFFFFFF;
-// What the library reports of a model, the vendor's units and axes: the numbers that its maker prints.
+// The library's numbers of a model, in the vendor's units and axes: those published by its maker.
 struct Model {
   const char* name;
   double stiffness, peak, continuous, damping, torque;
@@ -52,7 +52,7 @@ struct Device {
   bool in_frame = false;
   bool framed = false;  // this tick
   double force[3] = {}, torque[3] = {};
-  stand_in::Mechanism mechanism{0.001, peak};
+  mock::Mechanism mechanism{0.001, peak};
 };
 
 struct Callback {
@@ -102,7 +102,7 @@ Device* device(unsigned id) {
   return nullptr;
 }
 
-// The device that a call is about, if it may be made here and now.
+// The device of a call, if the call is permitted here and now.
 Device* about(bool frame_needed) {
   if (running && !is_scheduler) {
     refuse(0x0102, "a call about a device from outside while the scheduler runs");
@@ -120,8 +120,8 @@ bool first(const Device* which) {
   return which == devices;
 }
 
-// As hdCheckCalibration has it. An update of its own is asked for every now and then; a device that does not know
-// where it is waits for its stylus in the inkwell, and for the update there.
+// As in hdCheckCalibration. An update is requested now and then; a device without a known position waits for its
+// stylus in the inkwell, and for the update there.
 unsigned calibration() {
   const Board& b = board();
   if (b.troubled_by(Trouble::needs_update) && (!updated || b.ticks - updated_at > 50)) return 0x5001;

@@ -1,24 +1,24 @@
-// A stand-in for libdrd.so with one sigma.7-like device. A tick of the mechanism passes with every force that is
-// sent. The controller brakes until forces are enabled, and when its watchdog, its velocity guard or its cable trips.
+// A mock of libdrd.so with one sigma.7-like device. Every sent force advances the mechanism by one tick. The
+// controller brakes until forces are enabled, and when its watchdog, its velocity guard or its cable trips.
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <thread>
 
-#include "tests/haptics/stand_ins/mechanism.h"
+#include "tests/haptics/mocks/mechanism.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
 namespace {
 
-using stand_in::board;
-using stand_in::Trouble;
+using mock::board;
+using mock::Trouble;
 
 constexpr char the_id = 3;  // not the index, so that a driver that mixes them up is found
 constexpr int falcon = 60;
 constexpr double peak = 12.0;
 
-stand_in::Mechanism mechanism(1.0, peak, 1e-5);
+mock::Mechanism mechanism(1.0, peak, 1e-5);
 bool gripper_is_button = false;  // of the devices that have one
 bool open_now = false, opened_by_drd = false, brakes = true, expert = false, calibrated_by_itself = false;
 int off_cause = 0;
@@ -57,8 +57,8 @@ int send(double x, double y, double z, double a, double b, double c, char id) {
   board().wait_while(Trouble::freeze);
   if (board().troubled_by(Trouble::late)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   if (!is_ours(id) || gone()) return -1;
-  // A Falcon finds its position while it is moved and is sent forces.
-  if (board().type == falcon && board().habit == stand_in::Hand::wander && ++moved > 50) calibrated_by_itself = true;
+  // A Falcon finds its position while it is moved and receives forces.
+  if (board().type == falcon && board().habit == mock::Hand::wander && ++moved > 50) calibrated_by_itself = true;
   if (board().troubled_by(Trouble::unknown_code)) return failed(4711);
   if (board().troubled_by(Trouble::emergency_stop)) trip(1);
   if (board().troubled_by(Trouble::too_fast)) trip(2);

@@ -1,4 +1,4 @@
-#include "tests/haptics/stand_ins/board.h"
+#include "tests/haptics/mocks/board.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <thread>
 
-namespace stand_in {
+namespace mock {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr const char* names[] = {
 constexpr const char* habits[] = {"still", "wander", "swivel", "sweep", "loose", "gone"};
 
 void read_habit(Board& to) {
-  const char* value = std::getenv("BODKIN_STAND_IN_HAND");
+  const char* value = std::getenv("BODKIN_MOCK_HAND");
   if (value == nullptr) return;
   int number = 0;
   for (const char* habit : habits) {
@@ -32,7 +32,7 @@ void read_habit(Board& to) {
 
 void read_environment(Board& to) {
   read_habit(to);
-  const char* value = std::getenv("BODKIN_STAND_IN");
+  const char* value = std::getenv("BODKIN_MOCK");
   if (value == nullptr) return;
   const std::string_view text = value;
   const std::size_t at = text.find('@');
@@ -60,8 +60,8 @@ Board& board() noexcept {
   return one;
 }
 
-}  // namespace stand_in
+}  // namespace mock
 
-extern "C" __attribute__((visibility("default"))) stand_in::Board* bodkin_stand_in() {
-  return &stand_in::board();
+extern "C" __attribute__((visibility("default"))) mock::Board* bodkin_mock() {
+  return &mock::board();
 }

@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "tests/haptics/stand_ins/board.h"
+#include "tests/haptics/mocks/board.h"
 
-namespace stand_in {
+namespace mock {
 
 // The moving parts of a desktop device and the hand on it, along three axes: a mass with viscous and dry friction,
-// the motors' force up to a limit and with a lag of 2 ms, a spring and damper to where the hand means to be, and
-// encoders that see whole counts.
+// the motors' force up to a limit and with a lag of 2 ms, a spring and damper to the hand's intended position, and
+// encoders with whole counts.
 //
 //   m x'' = F - c x' - f sign(x') + k (h - x) - d x'
 class Mechanism {
@@ -16,11 +16,10 @@ class Mechanism {
   // `unit`: m per unit of the vendor's lengths. `limit`: N along each axis. `count`: m, of the encoders.
   Mechanism(double unit, double limit, double count = 5e-5) : unit_(unit), limit_(limit), count_(count) {}
 
-  // One millisecond under the force that the motors are told (N; zero when they are off). Writes what happens to the
-  // board.
+  // One millisecond under the force that the motors are told (N; zero when they are off). Writes events to the board.
   void step(Board& board, const double (&force)[3], const double (&torque)[3]) noexcept;
 
-  // As the encoders see it, vendor's unit.
+  // Encoder readings, vendor's unit.
   const std::array<double, 3>& position() const noexcept { return seen_; }
   const std::array<double, 3>& velocity() const noexcept { return velocity_seen_; }
 
@@ -36,4 +35,4 @@ class Mechanism {
   std::array<double, 3> seen_{}, velocity_seen_{};
 };
 
-}  // namespace stand_in
+}  // namespace mock

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace stand_in {
+namespace mock {
 
-// What can go wrong with a simulated device. Environment: BODKIN_STAND_IN="unplug@100", from tick 100 on.
+// Faults of a simulated device. Environment: BODKIN_MOCK="unplug@100", from tick 100 on.
 enum class Trouble : int {
   none,
   no_device,
@@ -35,7 +35,7 @@ enum class Trouble : int {
   no_power           // the user's switch for the motors is off
 };
 
-// What the hand does by itself. Environment: BODKIN_STAND_IN_HAND="swivel".
+// The hand's own behaviour. Environment: BODKIN_MOCK_HAND="swivel".
 enum class Hand : int {
   still,   // it stays where Board::hand is
   wander,  // through a box of 80 x 60 x 100 mm (vendor's axes)
@@ -45,7 +45,7 @@ enum class Hand : int {
   gone     // after three seconds it lets go, and the handle hangs down the vendor's third axis with 0.6 N
 };
 
-// The test's side of a stand-in: every library exports it as `extern "C" stand_in::Board* bodkin_stand_in()`. Numbers
+// The test's side of a mock: every library exports it as `extern "C" mock::Board* bodkin_mock()`. Numbers
 // are in the vendor's own axes and units, exactly as they pass through the vendor's functions.
 struct Board {
   std::atomic<Trouble> trouble{Trouble::none};
@@ -90,10 +90,10 @@ struct Board {
   bool troubled_by(Trouble which) const noexcept {
     return trouble.load() == which && ticks.load() >= from_tick.load() && ticks.load() < until_tick.load();
   }
-  // As before a library is first used. Only while nobody uses it.
+  // Resets to the state before a library's first use. Only while nobody uses it.
   void clear() noexcept;
 
-  // For the stand-ins.
+  // For the mocks.
   void opened() noexcept {
     ++open_devices;
     ++openings;
@@ -127,7 +127,7 @@ inline void Board::clear() noexcept {
   watched_at = zero_at = longest_gap = 0;
 }
 
-// The library's one board, with the environment's trouble.
+// The library's only board, with the environment's fault.
 Board& board() noexcept;
 
-}  // namespace stand_in
+}  // namespace mock

@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "tests/haptics/stand_ins/board.h"
+#include "tests/haptics/mocks/board.h"
 
-namespace stand_in {
+namespace mock {
 
-// What else a service may do, one at a time and from the next answer on.
+// Other possible behaviour of a service, one at a time and from the next answer on.
 enum class Oddity : int {
   none,
   more_fields,     // that nobody has heard of
@@ -33,12 +33,12 @@ enum class Oddity : int {
 };
 
 // Haply's Inverse service on a port of its own of the loopback interface: one Inverse3, a grip, one answer for every
-// message. It counts a violation for what the vendor forbids or does not define: a first message without a profile, a
-// profile afterwards, a device that does not exist, bytes that are no JSON, a force that is no number. A session that
-// says nothing for 50 ms goes idle.
+// message. It counts a violation for everything that the vendor forbids or does not define: a first message without a
+// profile, a profile afterwards, an unknown device, invalid JSON, a non-numeric force. A session silent for 50 ms
+// goes idle.
 class HaplyService {
  public:
-  struct Ways {
+  struct Behaviour {
     std::string version = "3.5.1";
     std::string project = "haply-inverse-service";
     bool older_paths = false;       // HTTP below /3.0/ alone
@@ -55,12 +55,12 @@ class HaplyService {
     bool events = false;
   };
 
-  // As the vendor's pages of a version from "3.0" to "3.5" describe the service.
-  static Ways of(const std::string& version);
+  // The service as described by the vendor's pages for a version from "3.0" to "3.5".
+  static Behaviour of(const std::string& version);
 
   // `board`: outlives the service.
   explicit HaplyService(Board& board);
-  HaplyService(Board& board, Ways ways);
+  HaplyService(Board& board, Behaviour behaviour);
   ~HaplyService();
   HaplyService(const HaplyService&) = delete;
   HaplyService& operator=(const HaplyService&) = delete;
@@ -68,10 +68,10 @@ class HaplyService {
   int port() const noexcept;            // of HTTP, and of the WebSocket unless they are apart
   int websocket_port() const noexcept;  // of the WebSocket
   int events_port() const noexcept;     // 0 = no event channel
-  // Sends a text to everybody who listens to the events, once somebody does.
-  void say(const std::string& event);
+  // Sends a text to all listeners to the events, once there is one.
+  void send_event(const std::string& event);
   std::atomic<Oddity>& oddity() noexcept;
-  // Of the program that has introduced itself last.
+  // Of the program that introduced itself last.
   std::string profile() const;
 
  private:
@@ -79,4 +79,4 @@ class HaplyService {
   std::unique_ptr<Server> server_;
 };
 
-}  // namespace stand_in
+}  // namespace mock

@@ -1,4 +1,4 @@
-#include "tests/haptics/stand_ins/haply.h"
+#include "tests/haptics/mocks/haply.h"
 
 #include <array>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/haptics/stand_ins/mechanism.h"
+#include "tests/haptics/mocks/mechanism.h"
 #include <Eigen/Geometry>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -23,7 +23,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace stand_in {
+namespace mock {
 
 namespace {
 
@@ -45,7 +45,7 @@ Json xyz(const std::array<double, 3>& values) {
   return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
 }
 
-// A text frame as a server sends it, for what Beast does not send.
+// A text frame as sent by a server, for frames that Beast cannot send.
 std::string frame(const std::string& text) {
   std::string bytes = "\x81";
   bytes += '\x7e';
@@ -57,18 +57,18 @@ std::string frame(const std::string& text) {
 }  // namespace
 
 struct HaplyService::Server {
-  // What may be asked of a port.
+  // The services of a port.
   enum class Door { both, http, sessions, events };
 
-  Server(Board& its_board, Ways its_ways)
+  Server(Board& its_board, Behaviour its_behaviour)
       : board(its_board),
-        ways(std::move(its_ways)),
+        behaviour(std::move(its_behaviour)),
         listener(context, {asio::ip::address_v4::loopback(), 0}),
         session_listener(context, {asio::ip::address_v4::loopback(), 0}),
         event_listener(context, {asio::ip::address_v4::loopback(), 0}) {
-    acceptors.emplace_back([this] { accept(listener, ways.apart ? Door::http : Door::both); });
-    if (ways.apart) acceptors.emplace_back([this] { accept(session_listener, Door::sessions); });
-    if (ways.events) acceptors.emplace_back([this] { accept(event_listener, Door::events); });
+    acceptors.emplace_back([this] { accept(listener, behaviour.apart ? Door::http : Door::both); });
+    if (behaviour.apart) acceptors.emplace_back([this] { accept(session_listener, Door::sessions); });
+    if (behaviour.events) acceptors.emplace_back([this] { accept(event_listener, Door::events); });
   }
   ~Server() {
     ended = true;
@@ -92,7 +92,7 @@ struct HaplyService::Server {
       if (error) continue;
       socket->set_option(asio::ip::tcp::no_delay(true), error);
       const std::lock_guard lock(mutex);
-      // A handle of our own: the session's thread closes its socket when it likes.
+      // A separate handle: the session's thread closes its socket at any time.
       const int handle = ::dup(socket->native_handle());
       handles.push_back(handle);
       sessions.emplace_back([this, socket, handle, door] {
@@ -141,13 +141,13 @@ struct HaplyService::Server {
   }
 
   http::response<http::string_body> answer(const http::request<http::string_body>& request) const {
-    const std::string path = ways.older_paths ? "/3.0/version" : "/version";
+    const std::string path = behaviour.older_paths ? "/3.0/version" : "/version";
     const bool known = request.method() == http::verb::get && request.target() == path;
     http::response<http::string_body> made{known ? http::status::ok : http::status::not_found, request.version()};
-    const std::string version = board.troubled_by(Trouble::wrong_version) ? "2.9.0" : ways.version;
+    const std::string version = board.troubled_by(Trouble::wrong_version) ? "2.9.0" : behaviour.version;
     made.body() = known ? Json{{"project_version", version},
                                {"git_tag", "v" + version},
-                               {"project_name", ways.project},
+                               {"project_name", behaviour.project},
                                {"git_branch", "main"}}
                               .dump()
                         : R"({"ok":false,"error":"no such route"})";
@@ -174,7 +174,7 @@ struct HaplyService::Server {
     error_code error;
     session.socket.accept(request, error);
     if (error) return;
-    // Counted out before the client hears the goodbye.
+    // Removed from the count before the client receives the goodbye.
     session.socket.control_callback([&](websocket::frame_type kind, boost::beast::string_view) {
       if (kind == websocket::frame_type::close) leave(session);
     });
@@ -215,7 +215,7 @@ struct HaplyService::Server {
     {
       const std::lock_guard lock(mutex);
       obey(json);
-      const bool full = ways.full_on_request && json.is_object() && json.contains("session") &&
+      const bool full = behaviour.full_on_request && json.is_object() && json.contains("session") &&
                         json.at("session").contains("force_render_full_state");
       text = (full ? with_configuration(state()) : state()).dump();
     }
@@ -232,7 +232,7 @@ struct HaplyService::Server {
     if (!introduces) return;
     const std::lock_guard lock(mutex);
     profile = json.at(name).get<std::string>();
-    if (!ways.remembered_basis.empty()) basis = ways.remembered_basis;
+    if (!behaviour.remembered_basis.empty()) basis = behaviour.remembered_basis;
   }
 
   void obey(const Json& json) {
@@ -243,10 +243,10 @@ struct HaplyService::Server {
       const Json commands = device.value("commands", Json::object());
       if (!commands.contains("set_cursor_force")) continue;
       const Json& command = commands.at("set_cursor_force");
-      if (!command.contains(ways.vector)) continue;
+      if (!command.contains(behaviour.vector)) continue;
       commanded = true;
       for (std::size_t i = 0; i < 3; ++i) {
-        const Json component = command.at(ways.vector).value(std::string(1, "xyz"[i]), Json());
+        const Json component = command.at(behaviour.vector).value(std::string(1, "xyz"[i]), Json());
         if (!component.is_number()) board.violation("a force was no number");
         force[i] = component.is_number() ? component.get<double>() : 0.0;
       }
@@ -260,7 +260,7 @@ struct HaplyService::Server {
   }
 
   Json device_state() {
-    const char* mode = ways.older_names ? "mode" : "control_mode";
+    const char* mode = behaviour.older_names ? "mode" : "control_mode";
     if (oddity == Oddity::no_position) return {{mode, "force"}};
     Json made = {{"cursor_position", xyz(mechanism.position())}};
     if (oddity == Oddity::fewer_fields) return made;
@@ -269,8 +269,8 @@ struct HaplyService::Server {
     made["angular_position"] = {{"a0", 12.5}, {"a1", -30.0}, {"a2", 75.25}};
     made["control_domain"] = "cartesian";
     made[mode] = idle ? "idle" : "force";
-    made["transform"] = {{"position", xyz({0, 0, ways.transform || oddity == Oddity::new_transform ? 0.1 : 0.0})},
-                         {"scale", xyz({1, 1, 1})}};
+    const bool raised = behaviour.transform || oddity == Oddity::new_transform;
+    made["transform"] = {{"position", xyz({0, 0, raised ? 0.1 : 0.0})}, {"scale", xyz({1, 1, 1})}};
     return made;
   }
 
@@ -284,13 +284,13 @@ struct HaplyService::Server {
       grip_buttons = {
           {"a", (buttons & 1U) != 0}, {"b", (buttons & 2U) != 0}, {"c", !board.troubled_by(Trouble::hand_off)}};
     }
-    if (ways.older_names) return {{"orientation", grip_orientation}, {"button", grip_buttons.at("a")}};
+    if (behaviour.older_names) return {{"orientation", grip_orientation}, {"button", grip_buttons.at("a")}};
     return {{"orientation", grip_orientation}, {"buttons", grip_buttons}, {"battery_level", 0.75}};
   }
 
   // Of one tick.
   Json state() {
-    const char* grips = ways.older_names ? "verse_grip" : "wireless_verse_grip";
+    const char* grips = behaviour.older_names ? "verse_grip" : "wireless_verse_grip";
     Json made = {{"inverse3", Json::array()}, {grips, Json::array()}};
     if (!board.troubled_by(Trouble::unplug) && !board.troubled_by(Trouble::no_device)) {
       Json device = {{"device_id", the_device}, {"state", device_state()}};
@@ -303,7 +303,7 @@ struct HaplyService::Server {
       }
       made["inverse3"].push_back(device);
     }
-    if (ways.grip && oddity != Oddity::grip_gone && oddity != Oddity::fewer_fields) {
+    if (behaviour.grip && oddity != Oddity::grip_gone && oddity != Oddity::fewer_fields) {
       made[grips].push_back(
           {{"device_id", the_grip},
            {"state", grip_state()},
@@ -328,10 +328,10 @@ struct HaplyService::Server {
       Json config = {{"type", "inverse3"},
                      {"port", "/dev/ttyACM0"},
                      {"basis", {{"permutation", oddity == Oddity::new_basis ? "YXZ" : basis}}}};
-      if (!ways.preset.empty()) config["preset"] = ways.preset;
+      if (!behaviour.preset.empty()) config["preset"] = behaviour.preset;
       if (oddity == Oddity::new_preset) config["preset"] = "arm_front";
-      if (!std::isnan(ways.mount_height)) {
-        config["mount"] = {{"position", xyz({0, 0, oddity == Oddity::new_mount ? 0.1 : ways.mount_height})},
+      if (!std::isnan(behaviour.mount_height)) {
+        config["mount"] = {{"position", xyz({0, 0, oddity == Oddity::new_mount ? 0.1 : behaviour.mount_height})},
                            {"rotation", {{"w", 1}, {"x", 0}, {"y", 0}, {"z", 0}}},
                            {"scale", xyz({1, 1, 1})}};
       }
@@ -383,7 +383,7 @@ struct HaplyService::Server {
   }
 
   Board& board;
-  const Ways ways;
+  const Behaviour behaviour;
   asio::io_context context;
   asio::ip::tcp::acceptor listener, session_listener, event_listener;
   std::atomic<bool> ended{false};
@@ -396,28 +396,28 @@ struct HaplyService::Server {
   long grip_age = 0;
   Json grip_orientation, grip_buttons;
   std::string profile;
-  std::string basis = ways.basis;
+  std::string basis = behaviour.basis;
   std::vector<std::string> events;
   std::condition_variable spoken;
   std::vector<std::thread> acceptors;
 };
 
-HaplyService::Ways HaplyService::of(const std::string& version) {
-  Ways ways;
-  ways.version = version + ".1";
-  ways.vector = version == "3.5" ? "vector" : "values";
-  ways.events = version == "3.4" || version == "3.5";
-  if (version == "3.5") return ways;
-  ways.preset.clear();
-  ways.mount_height = std::numeric_limits<double>::quiet_NaN();
-  ways.older_paths = ways.older_names = version == "3.0";
-  ways.full_on_request = !ways.older_paths;
-  ways.apart = !ways.older_paths;
-  return ways;
+HaplyService::Behaviour HaplyService::of(const std::string& version) {
+  Behaviour behaviour;
+  behaviour.version = version + ".1";
+  behaviour.vector = version == "3.5" ? "vector" : "values";
+  behaviour.events = version == "3.4" || version == "3.5";
+  if (version == "3.5") return behaviour;
+  behaviour.preset.clear();
+  behaviour.mount_height = std::numeric_limits<double>::quiet_NaN();
+  behaviour.older_paths = behaviour.older_names = version == "3.0";
+  behaviour.full_on_request = behaviour.apart = !behaviour.older_paths;
+  return behaviour;
 }
 
-HaplyService::HaplyService(Board& board) : HaplyService(board, Ways{}) {}
-HaplyService::HaplyService(Board& board, Ways ways) : server_(std::make_unique<Server>(board, std::move(ways))) {}
+HaplyService::HaplyService(Board& board) : HaplyService(board, Behaviour{}) {}
+HaplyService::HaplyService(Board& board, Behaviour behaviour)
+    : server_(std::make_unique<Server>(board, std::move(behaviour))) {}
 HaplyService::~HaplyService() = default;
 
 int HaplyService::port() const noexcept {
@@ -425,14 +425,14 @@ int HaplyService::port() const noexcept {
 }
 
 int HaplyService::websocket_port() const noexcept {
-  return server_->ways.apart ? server_->session_listener.local_endpoint().port() : port();
+  return server_->behaviour.apart ? server_->session_listener.local_endpoint().port() : port();
 }
 
 int HaplyService::events_port() const noexcept {
-  return server_->ways.events ? server_->event_listener.local_endpoint().port() : 0;
+  return server_->behaviour.events ? server_->event_listener.local_endpoint().port() : 0;
 }
 
-void HaplyService::say(const std::string& event) {
+void HaplyService::send_event(const std::string& event) {
   const std::lock_guard lock(server_->mutex);
   server_->events.push_back(event);
   server_->spoken.notify_all();
@@ -447,4 +447,4 @@ std::string HaplyService::profile() const {
   return server_->profile;
 }
 
-}  // namespace stand_in
+}  // namespace mock
