@@ -13,10 +13,10 @@
 
 namespace bodkin::imaging {
 
-// Every picture of the program is drawn on a canvas: slices, meshes, plots and the screen of the ultrasound machine.
-// Lengths are px of the picture, from its upper left corner to the right and down.
+// Every image of the program is drawn on a canvas: slices, meshes, plots and the screen of the ultrasound machine.
+// Lengths are px of the image, from its upper left corner to the right and down.
 
-// A colour, 0xRRGGBB, and how much of what lies below it covers, 0 to 1.
+// A colour, 0xRRGGBB, and its opacity, 0 to 1.
 struct Ink {
   std::uint32_t colour = 0;
   double opacity = 1.0;
@@ -27,7 +27,7 @@ struct Ink {
 struct LineStyle {
   Ink ink;
   double width = 1.0;
-  std::vector<double> dash = {};  // lengths of strokes and gaps in turn, above 0; empty: a solid line
+  std::vector<double> dash = {};  // lengths of strokes and gaps, alternating, above 0; empty: a solid line
 };
 
 enum class TextAnchor { start, middle, end };
@@ -38,7 +38,7 @@ struct TextStyle {
   TextAnchor anchor = TextAnchor::start;
   bool bold = false;
   double angle = 0.0;  // degrees, counter-clockwise
-  bool halo = false;   // a dark border, for text on a picture
+  bool halo = false;   // a dark border, for text on an image
 };
 
 // Lines, polygons and circles that are filled or stroked together.
@@ -69,9 +69,9 @@ class Path {
   std::vector<Part> parts_;
 };
 
-// What is drawn is kept as shapes, the last on top, and becomes an SVG document, in which text stays text and lines
-// are sharp at any size, or pixels. Both are the same for the same shapes. A shape with a coordinate that is not
-// finite is left out.
+// Drawn elements are stored as shapes, the last on top, and exported as an SVG document, in which text stays text and
+// lines are sharp at any size, or as pixels. Both are the same for the same shapes. A shape with a coordinate that is
+// not finite is left out.
 class Canvas {
  public:
   Canvas(double width, double height) : width_(width), height_(height) {}
@@ -83,20 +83,19 @@ class Canvas {
   void fill_all(const Ink& ink) { fill(Path::rectangle(0.0, 0.0, width_, height_), ink); }
   void fill(Path path, const Ink& ink);
   void stroke(Path path, LineStyle style);
-  // `at`: on the base line; the style's anchor says which end of the text stands there.
+  // `at`: on the base line; the style's anchor says which end of the text is there.
   void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style);
   // The image, stretched smoothly to `width` x `height`, with its upper left corner at (x, y).
   void image(ImageRgb image, double x, double y, double width, double height);
-  // All of `inner`, `scale` times as large, with its upper left corner at (x, y); what reaches beyond its size is cut
-  // off.
+  // All of `inner`, `scale` times as large, with its upper left corner at (x, y), clipped to its size.
   void place(Canvas inner, double x, double y, double scale = 1.0);
 
   // An SVG document.
   std::string svg() const;
-  // The picture with `zoom` pixels per px; black where nothing is drawn. Throws SystemError when memory is short or
-  // the picture has more than 32767 pixels on a side.
+  // The image with `zoom` pixels per px; black where nothing is drawn. Throws SystemError when memory is short or the
+  // image has more than 32767 pixels on a side.
   ImageRgb pixels(double zoom) const;
-  // The same as the bytes of a PNG file.
+  // As pixels(), as the bytes of a PNG file.
   std::string png(double zoom) const;
   // Draws the shapes over an image, a pixel per px.
   void draw_over(ImageRgb& image) const;
@@ -135,7 +134,7 @@ class Canvas {
 // SystemError when memory is short.
 std::string pdf(std::span<const Canvas> pages, const std::string& title);
 
-// px that a text is wide in the font of the pictures, DejaVu Sans.
+// Width in px of a text in the font of the images, DejaVu Sans.
 double text_width(std::string_view text, double size, bool bold = false);
 
 }  // namespace bodkin::imaging

@@ -82,7 +82,7 @@ void choose_font(cairo_t* context, double size, bool bold) {
   cairo_set_font_size(context, size);
 }
 
-// Letters as wide at any size as in proportion, so that text takes the same room in pixels as in SVG.
+// Letter widths proportional to the size, so that text takes the same space in pixels as in SVG.
 void set_letter_shapes(cairo_t* context) {
   cairo_font_options_t* const options = cairo_font_options_create();
   cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -108,7 +108,7 @@ class CairoPainter {
     set_letter_shapes(context());
   }
 
-  // Draws everything on the canvas; how that went.
+  // Draws everything on the canvas; returns cairo's status.
   cairo_status_t paint(const Canvas& canvas) {
     shapes(canvas);
     return cairo_status(context());
@@ -230,7 +230,7 @@ ImageRgb Canvas::pixels(double zoom) const {
   return image;
 }
 
-// Only the part of the image that the shapes touch goes through cairo: a few words on a large picture are cheap.
+// Only the part of the image under the shapes goes through cairo: a few words on a large image are cheap.
 void Canvas::draw_over(ImageRgb& image) const {
   if (shapes_.empty()) return;
   const cairo_rectangle_t all{0.0, 0.0, static_cast<double>(image.width), static_cast<double>(image.height)};
@@ -257,7 +257,7 @@ std::string pdf(std::span<const Canvas> pages, const std::string& title) {
   std::string bytes;
   const Surface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, 1.0, 1.0), cairo_surface_destroy);
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, printable_utf8(title).c_str());
-  // The same pages are the same bytes, whenever they are written.
+  // The same pages give the same bytes, whenever they are written.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
   const auto require = [](cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS)

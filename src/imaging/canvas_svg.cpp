@@ -12,7 +12,7 @@ namespace bodkin::imaging {
 
 namespace {
 
-// With at most two digits after the point, and none that say nothing.
+// With at most two digits after the point, without trailing zeros.
 std::string px(double value) {
   std::string text = fmt::format("{:.2f}", value);
   text.erase(text.find_last_not_of('0') + 1);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double least_thickness = 0.5, most_thickness = 10.0, least_spacing = 0.5, most_spacing = 20.0;  // mm
 constexpr int most_scan_pixels = 512;       // along each side
-constexpr double metal = 20000.0;           // HU of steel before the scale of the scanner cuts it off
-constexpr double faintest_needle = 1600.0;  // HU at least of a pixel that the needle's middle crosses
+constexpr double metal = 20000.0;           // HU of steel before clipping by the scanner's scale
+constexpr double faintest_needle = 1600.0;  // HU at least of a pixel crossed by the needle's middle
 
 // The box around a lattice with the outer halves of its voxels, LPS mm.
 PatientBox scan_box_of(const anatomy::Grid& grid) {
@@ -28,15 +28,15 @@ PatientBox scan_box_of(const anatomy::Grid& grid) {
   return box;
 }
 
-// mm between voxels along a patient's axis, the axis of the lattice that runs closest to it counting.
+// mm between voxels along a patient's axis, by the lattice's axis closest to it.
 double spacing_along(const anatomy::Grid& grid, int patient_axis) {
   int nearest = 0;
   grid.direction.row(patient_axis).cwiseAbs().maxCoeff(&nearest);
   return grid.spacing[nearest];
 }
 
-// Of a rod of radius r through a square pixel of side s whose middle is `distance` mm from the rod's axis: the share
-// that it covers, as if the pixel was as wide towards the rod.
+// For a rod of radius r and a square pixel of side s whose middle is `distance` mm from the rod's axis: the covered
+// fraction, as if the pixel were as wide towards the rod.
 double covered(double distance, double radius, double side) {
   const double overlap = std::min(distance + 0.5 * side, radius) - std::max(distance - 0.5 * side, -radius);
   return std::clamp(overlap / side, 0.0, 1.0);
@@ -48,14 +48,14 @@ double distance_to_rod(const Vec3& point, const Vec3& from, const Vec3& to) {
   return (point - from - share * along).norm();
 }
 
-// The needle's share of each pixel, averaged over the levels of a slice.
+// The needle's fraction of each pixel, averaged over the levels of a slice.
 void add_needle(const ScannedNeedle& needle, const SlicePlane& plane, const std::vector<double>& levels,
                 std::vector<float>& mean) {
   const Vec3 tip = needle.pose.translation(), hub = needle.hub();
   std::vector<float> share(mean.size(), 0.0F);
   const double reach = needle.radius + plane.pixel;
   for (const double level : levels) {
-    // The piece of the needle that is near to this level.
+    // The piece of the needle near this level.
     const Vec3 along = tip - hub;
     double begin = 0.0, end = 1.0;
     if (std::abs(along.z()) > 1e-9) {
@@ -90,7 +90,7 @@ void add_needle(const ScannedNeedle& needle, const SlicePlane& plane, const std:
   }
 }
 
-// Smoothing by (1 2 1) / 4 along rows and columns; `sharpen` adds what it would take away.
+// Smoothing by (1 2 1) / 4 along rows and columns; `sharpen` adds the difference instead of removing it.
 void filter(std::vector<float>& values, int width, int height, ScanKernel kernel) {
   if (kernel == ScanKernel::standard) return;
   std::vector<float> smooth = values, rows = values;
@@ -127,7 +127,7 @@ std::string trouble_with(const ScanProtocol& protocol) {
     return fmt::format("slice spacing is {:g} mm, expected {:g} to {:g} mm", protocol.spacing, least_spacing,
                        most_spacing);
   }
-  if (!std::isfinite(protocol.from) || !std::isfinite(protocol.to)) return "the range is no number; draw it again";
+  if (!std::isfinite(protocol.from) || !std::isfinite(protocol.to)) return "the range is not a number; draw it again";
   return {};
 }
 
@@ -154,7 +154,7 @@ SlicePlane scan_plane(const anatomy::Grid& grid) {
 
 ScanSlice take_slice(const anatomy::CtVolume& ct, const SlicePlane& plane, const ScanProtocol& protocol, double z,
                      const std::optional<ScannedNeedle>& needle) {
-  // The mean over the thickness by samples that are closer together than voxels.
+  // The mean over the thickness from samples closer together than voxels.
   const int count =
       std::clamp(static_cast<int>(std::ceil(2.0 * protocol.thickness / spacing_along(ct.grid, 2))), 2, 40);
   std::vector<double> levels;
@@ -247,7 +247,7 @@ Scout make_scout(const anatomy::CtVolume& ct, ScoutView view, double pixel) {
       for (double way = 0.5 * step; way < size[through]; way += step) {
         at[through] = box.low[through] + way;
         const double value = anatomy::nearest<std::int16_t>(ct, at, -1000);
-        // Bone takes more of an X-ray than its density alone.
+        // Bone attenuates X-rays more than its density suggests.
         if (value > -900.0)
           sum += step * (0.001 * (value + 1000.0) + (value > 120.0 ? 0.0015 * (value - 120.0) : 0.0));
       }

@@ -11,7 +11,7 @@
 
 namespace bodkin::imaging {
 
-// What a technician sets at the console of a CT scanner.
+// The settings of a CT scanner's console.
 enum class ScanKernel : std::uint8_t { soft, standard, sharp };
 
 struct ScanProtocol {
@@ -23,12 +23,12 @@ struct ScanProtocol {
   bool operator==(const ScanProtocol&) const = default;
 };
 
-// What is wrong with a protocol, one sentence; empty: nothing.
+// The error in a protocol, one sentence; empty: none.
 std::string trouble_with(const ScanProtocol& protocol);
-// Middles of the slices in the order in which they are taken, from `from` towards `to`, mm.
+// Middles of the slices in the order of acquisition, from `from` towards `to`, mm.
 std::vector<double> slice_positions(const ScanProtocol& protocol);
 
-// A needle that lies in the patient while he is scanned.
+// A needle in the patient during the scan.
 struct ScannedNeedle {
   Pose pose = Pose::Identity();         // of the tip, LPS mm; the third axis runs from hub to tip
   double radius = 0.36, length = 90.0;  // mm
@@ -36,8 +36,8 @@ struct ScannedNeedle {
   Vec3 hub() const { return pose.translation() - length * needle_axis(pose); }
 };
 
-// The pixels that all slices of a patient have: as fine as his CT, at most 512 along each side, around all of it. `z`
-// of its corner is not used.
+// The common pixels of all slices of a patient: as fine as the CT, at most 512 along each side, around the whole CT.
+// `z` of its corner is not used.
 SlicePlane scan_plane(const anatomy::Grid& grid);
 
 struct ScanSlice {
@@ -48,25 +48,25 @@ struct ScanSlice {
 inline constexpr std::int16_t metal_hounsfield = 3071;
 
 // One slice: the mean of the CT over the thickness, and the needle as metal with its share of each pixel, but never
-// fainter than a scanner's picture of metal. Outside the CT is air.
+// fainter than metal in a scanner's image. Outside the CT is air.
 ScanSlice take_slice(const anatomy::CtVolume& ct, const SlicePlane& plane, const ScanProtocol& protocol, double z,
                      const std::optional<ScannedNeedle>& needle);
 
-// A scan: slices as they came.
+// A scan: slices in the order of acquisition.
 struct CtScan {
   ScanProtocol protocol;
   SlicePlane plane;
   std::optional<ScannedNeedle> needle;
-  std::vector<ScanSlice> slices;  // in the order of slice_positions(); fewer where it was cancelled
+  std::vector<ScanSlice> slices;  // in the order of slice_positions(); fewer if it was cancelled
 
-  // The slice that holds a place along z; nothing in a gap.
+  // The slice that contains a position along z; nullptr in a gap.
   const ScanSlice* slice_at(double z) const;
   // A pixel of a slice, LPS mm.
   Vec3 point(const ScanSlice& slice, double column, double row) const;
 };
 
-// A sagittal (at this column) or a coronal (at this row) picture put together from a scan: HU, one row for each
-// `pixel` mm from the top (largest z) down; gaps and what was not scanned have no value (nothing_scanned).
+// A sagittal (at this column) or a coronal (at this row) image reformatted from a scan: HU, one row for each `pixel`
+// mm from the top (largest z) down; gaps and unscanned parts have no value (nothing_scanned).
 enum class Reformat : std::uint8_t { sagittal, coronal };
 inline constexpr std::int16_t nothing_scanned = -32768;
 struct ReformattedSlice {
@@ -76,7 +76,7 @@ struct ReformattedSlice {
 };
 ReformattedSlice reformatted(const CtScan& scan, Reformat direction, int at);
 
-// The overview before a scan: all voxels summed from the front or the side as an X-ray does, in greys, z upwards.
+// The overview before a scan: all voxels summed from the front or the side as in an X-ray, as grey levels, z upwards.
 enum class ScoutView : std::uint8_t { frontal, lateral };
 struct Scout {
   int width = 0, height = 0;

@@ -14,13 +14,13 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-// A colour as tissue libraries write it, 0xRRGGBB.
+// A colour in the format of tissue libraries, 0xRRGGBB.
 constexpr Rgb rgb(std::uint32_t colour) {
   return {static_cast<std::uint8_t>(colour >> 16 & 0xFF), static_cast<std::uint8_t>(colour >> 8 & 0xFF),
           static_cast<std::uint8_t>(colour & 0xFF)};
 }
 
-// A colour picture, rows from top to bottom.
+// A colour image, rows from top to bottom.
 struct ImageRgb {
   int width = 0;            // pixels
   int height = 0;           // pixels

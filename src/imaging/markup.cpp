@@ -49,7 +49,7 @@ std::string printable_utf8(std::string_view text) {
                                                                : 0;
     bool sound = length > 0 && at + length <= text.size();
     for (std::size_t i = 1; sound && i < length; ++i) sound = (byte(i) & 0xC0) == 0x80;
-    // Overlong forms, surrogates and what lies beyond U+10FFFF.
+    // Overlong forms, surrogates and codes beyond U+10FFFF.
     if (sound && length > 2) {
       const unsigned char second = byte(1);
       sound = !(first == 0xE0 && second < 0xA0) && !(first == 0xED && second > 0x9F) &&

@@ -6,7 +6,7 @@
 
 namespace bodkin::imaging {
 
-// Text made safe for XML and HTML, between tags and inside quotes. Characters that XML forbids become spaces.
+// Escapes text for XML and HTML, between tags and inside quotes. Characters that XML forbids become spaces.
 std::string escape_markup(std::string_view text);
 // The text with U+FFFD in place of every byte that is not part of well-formed UTF-8, and control characters as
 // spaces.

@@ -22,7 +22,7 @@ constexpr std::uint32_t tick_colour = 0x9FB0BB, text_colour = 0xCFD8DF, mesh_bac
 constexpr double angle_of_regular = 70.5288;  // degrees, of the regular tetrahedron
 constexpr double around_mesh = 1.04;          // of the mesh's box
 constexpr double mesh_pixels_across = 640.0;
-constexpr double beyond_path = 1.35;    // of the path's length, the side of the closer view
+constexpr double beyond_path = 1.35;    // of the path's length, side of the closer view
 constexpr double smallest_view = 45.0;  // mm
 
 struct MeshBox {
@@ -38,7 +38,7 @@ MeshBox box_of(const anatomy::TetrahedralMesh& mesh) {
   return box;
 }
 
-// A place inside an element, that next to `place`.
+// The place inside an element closest to `place`.
 Vec3 in_mesh_near(const anatomy::TetrahedralMesh& mesh, const Vec3& place) {
   Vec3 nearest = mesh.nodes.front();
   double least = std::numeric_limits<double>::infinity();
@@ -70,7 +70,7 @@ SlicePanel panel(const anatomy::TetrahedralMesh& mesh, const SlicePlane& plane,
   return result;
 }
 
-// A number of elements as people write it: 112,345.
+// A number of elements in print: 112,345.
 std::string grouped(std::size_t number) {
   const std::string digits = std::to_string(number);
   std::string text;
@@ -81,7 +81,7 @@ std::string grouped(std::size_t number) {
   return text;
 }
 
-// How the dihedral angles are spread.
+// The histogram of the dihedral angles.
 class Chart {
  public:
   Chart(const anatomy::MeshQuality& quality, double height)
@@ -176,7 +176,7 @@ Canvas mesh_picture(const anatomy::TetrahedralMesh& mesh, const anatomy::MeshQua
     const Vec3 centre = 0.5 * (path->entry + path->target);
     add(plane_through(path, centre, side, side), path, "closer");
   }
-  // Of a mesh beside the path, too.
+  // Also for a mesh beside the path.
   if (panels.empty()) {
     add(plane_through({}, in_mesh_near(mesh, middle), size.y(), size.z()), {},
         path ? "the mesh, sagittal; the planned path does not meet it" : "the mesh, sagittal through its middle");

@@ -10,9 +10,9 @@
 
 namespace bodkin::imaging {
 
-// A mesh as a picture: the whole of it and what is near the path, both cut by the plane along the path (the
-// sagittal one through the middle without a path), each cut element with its outline and the colour of its
-// tissue; and how its dihedral angles are spread. The mesh must not be empty.
+// An image of a mesh: the whole mesh and the surroundings of the path, both cut by the plane along the path (the
+// sagittal one through the middle without a path), each cut element with its outline and the colour of its tissue;
+// and the distribution of its dihedral angles. The mesh must not be empty.
 Canvas mesh_picture(const anatomy::TetrahedralMesh& mesh, const anatomy::MeshQuality& quality,
                     const std::optional<anatomy::NeedlePath>& path, const anatomy::TissueLibrary& library,
                     const std::string& title);

@@ -36,7 +36,7 @@ std::string encode_png(const ImageRgb& image) {
                                     image.height, control.message));
     }
   };
-  encode(nullptr);  // asks for the size
+  encode(nullptr);  // queries the size
   std::string bytes(size, '\0');
   encode(bytes.data());
   bytes.resize(size);

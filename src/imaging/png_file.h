@@ -8,14 +8,14 @@
 
 namespace bodkin::imaging {
 
-// The bytes of a PNG file (8 bit RGB, lossless). The picture must not be empty. Throws SystemError when memory is
+// The bytes of a PNG file (8 bit RGB, lossless). The image must not be empty. Throws SystemError when memory is
 // short.
 std::string encode_png(const ImageRgb& image);
-// The picture in the bytes of a PNG file of any colour type, on white where it is transparent. Throws InputError
-// naming `origin` when they are not a sound PNG of at most 64 million pixels.
+// The image in the bytes of a PNG file of any colour type, on white where it is transparent. Throws InputError naming
+// `origin` when they are not a valid PNG of at most 64 million pixels.
 ImageRgb decode_png(std::string_view bytes, const std::string& origin);
 
-// Writes a picture as a PNG file. Throws SystemError when the file cannot be written.
+// Writes an image as a PNG file. Throws SystemError when the file cannot be written.
 void write_png(const ImageRgb& image, const std::filesystem::path& file);
 
 }  // namespace bodkin::imaging

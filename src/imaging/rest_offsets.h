@@ -13,14 +13,14 @@ struct PointLattice {
   double spacing = 5.0;                 // mm
   std::array<int, 3> size = {0, 0, 0};  // points along x, y and z
 
-  // LPS mm of all, x fastest.
+  // LPS mm of all points, x fastest.
   std::vector<Vec3> points() const;
 };
 
-// Where at rest that lies which now is at each point of a lattice.
+// The positions at rest of the tissue that is now at the points of a lattice.
 struct RestOffsets {
   PointLattice lattice;        // at least two points along each axis
-  std::vector<float> offsets;  // mm, x y z of each point in turn: from the point to where it lies
+  std::vector<float> offsets;  // mm, x y z of each point: from the point to its position at rest
 };
 
 }  // namespace bodkin::imaging

@@ -79,7 +79,7 @@ SlicePlane view_plane(View view, const Vec3& middle, double width, double height
 SlicePlane sagittal_plane_along(const anatomy::NeedlePath& path, const Vec3& middle, double width, double height,
                                 double pixel) {
   const Vec3 along = path.direction();
-  // The normal nearest to the sagittal plane's among those perpendicular to the path.
+  // The normal perpendicular to the path that is nearest to the sagittal plane's.
   const Vec3 across = Vec3::UnitX() - Vec3::UnitX().dot(along) * along;
   if (!(across.norm() > steepest)) {
     return view_plane(View::sagittal, Vec3(path.target.x(), middle.y(), middle.z()), width, height, pixel);

@@ -22,9 +22,9 @@ struct SlicePlane {
   int width = 0;               // pixels
   int height = 0;              // pixels
 
-  // LPS mm of a place in the picture; the centre of the top left pixel is (0, 0).
+  // LPS mm of a position in the image; the centre of the top left pixel is (0, 0).
   Vec3 point(double column, double row) const { return corner + pixel * (column * right + row * down); }
-  // Where a point, projected onto the plane, lies in the picture.
+  // The position in the image of a point projected onto the plane.
   Eigen::Vector2d place(const Vec3& point) const {
     return Eigen::Vector2d(right.dot(point - corner), down.dot(point - corner)) / pixel;
   }
@@ -40,7 +40,7 @@ struct PatientBox {
   Vec3 high = Vec3::Zero();
 };
 
-// The box around everything that is not air (around the whole volume when there is nothing else).
+// The box around everything except air (around the whole volume if there is nothing else).
 PatientBox body_box(const anatomy::TissueVolume& tissues);
 
 // The plane of a view through `middle` that covers `width` x `height` mm around it.
@@ -51,10 +51,10 @@ SlicePlane view_plane(View view, const Vec3& middle, double width, double height
 SlicePlane sagittal_plane_along(const anatomy::NeedlePath& path, const Vec3& middle, double width, double height,
                                 double pixel);
 
-// The letters of a direction, "A", "P", "L", "R", "S", "I", two when it runs between two axes.
+// The letters of a direction, "A", "P", "L", "R", "S", "I", two if it runs between two axes.
 std::string direction_letters(const Vec3& direction);
 
-// What lies in a plane, pixel by pixel.
+// The content of a plane, pixel by pixel.
 struct Slice {
   SlicePlane plane;
   std::vector<float> hounsfield;           // height x width, HU, trilinear; NaN outside the CT
@@ -65,18 +65,18 @@ struct Slice {
 
 Slice cut(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues);
 
-// How a slice is painted.
+// Display settings of a slice.
 struct SliceLook {
-  double window = 600.0;  // HU from black to white: soft tissue and bone both show
+  double window = 600.0;  // HU from black to white: shows both soft tissue and bone
   double level = 50.0;    // HU in the middle
-  double fill = 0.22;     // share of the tissue's colour inside it, 0 to 1
-  double border = 0.85;   // the same on its outline
+  double fill = 0.22;     // opacity of the tissue's colour inside it, 0 to 1
+  double border = 0.85;   // opacity on its outline
 };
 
-// The slice as a picture: HU as grey, tissues tinted with the colours of the library and outlined. Air stays black.
+// The slice as an image: HU as grey, tissues tinted with the colours of the library and outlined. Air stays black.
 ImageRgb paint(const Slice& slice, const anatomy::TissueLibrary& library, const SliceLook& look = {});
 
-// The tissues that a slice holds, without air, most pixels first.
+// The tissues in a slice, without air, most pixels first.
 std::vector<anatomy::TissueId> tissues_present(const Slice& slice);
 
 }  // namespace bodkin::imaging

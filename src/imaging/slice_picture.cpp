@@ -19,12 +19,12 @@ constexpr double title_height = 34.0;                                           
 constexpr double panel_title = 22.0;                                              // px
 constexpr double legend_row = 20.0;                                               // px
 constexpr double legend_text = 12.0, legend_text_left = 22.0, legend_gap = 14.0;  // px
-constexpr double near_plane = 2.0;                                                // mm: a line further away is dashed
+constexpr double near_plane = 2.0;                                                // mm: a farther line is dashed
 constexpr std::uint32_t background = 0x10151A, title_colour = 0xFFFFFF, panel_title_colour = 0xCFD8DF,
                         legend_colour = 0xDFE6EB, frame_colour = 0x43505A, black = 0x000000, white = 0xFFFFFF;
 constexpr std::uint32_t path_colour = 0xFFD84D, target_colour = 0xFF5470, travelled_colour = 0x37E0C8,
                         outline_colour = 0x4CC2FF, level_colour = 0xB9E2FF, conus_colour = 0xFF9E3D;
-constexpr double level_reach = 25.0;                        // mm from the slice: what is further is not marked
+constexpr double level_reach = 25.0;                        // mm from the slice: farther items are not marked
 constexpr double near_path = 24.0;                          // px, of a level to the planned path's target
 constexpr double half_interspace = 4.0, half_conus = 11.0;  // mm, half of the line across the canal
 constexpr double level_text = 11.0;                         // px
@@ -32,7 +32,7 @@ constexpr double beside_level = 16.0;                       // mm from the middl
 
 using Place = Eigen::Vector2d;
 
-// One slice and what is drawn upon it.
+// One slice and the drawing on it.
 class PanelArtist {
  public:
   PanelArtist(const SlicePanel& panel, double scale)
@@ -62,14 +62,14 @@ class PanelArtist {
   }
 
  private:
-  // px of a point of the patient; the half pixel is from the centre of the first pixel to the picture's edge.
+  // px of a point of the patient; half a pixel lies between the centre of the first pixel and the image's edge.
   Place place(const Vec3& point) const {
     return (panel_.slice.plane.place(point) + Place::Constant(0.5)) * panel_.slice.plane.pixel * scale_;
   }
 
   bool is_near(const Vec3& point) const { return std::abs(panel_.slice.plane.distance(point)) <= near_plane; }
 
-  // Cut elements, those of one tissue as one path.
+  // Cut elements, one path per tissue.
   void elements(const anatomy::TissueLibrary& library) {
     std::map<anatomy::TissueId, Path> paths;
     const double w = canvas_.width(), h = canvas_.height();
@@ -105,7 +105,7 @@ class PanelArtist {
 
   void planned(const anatomy::NeedlePath& path) {
     const double length = path.length();
-    // Split where the path comes near the plane or leaves it, so that each piece is solid or dashed as a whole.
+    // Split where the path approaches or leaves the plane, so that each piece is entirely solid or dashed.
     std::vector<double> cuts = {0.0, 1.0};
     const double first = panel_.slice.plane.distance(path.entry), last = panel_.slice.plane.distance(path.target);
     for (const double limit : {-near_plane, near_plane}) {
@@ -157,10 +157,10 @@ class PanelArtist {
       const Path line = Path::segment(at - half, at + half);
       canvas_.stroke(line, {{black, 0.6}, level.end_of_cord ? 4.0 : 3.0});
       canvas_.stroke(line, {colour, level.end_of_cord ? 2.2 : 1.4});
-      // The conus is named on the right, for L1/L2 lies close below it; interspaces on the left where there is room.
+      // The conus is named on the right, because L1/L2 lies close below it; interspaces on the left if there is room.
       const double beside = beside_level * scale_;
       const bool right = level.end_of_cord || at.x() - beside < text_width(level.name, level_text) + 2.0;
-      // Above the path's own numbers where the path comes from that side.
+      // Above the path's own numbers if the path comes from that side.
       const bool at_path = panel_.path && right == (place(panel_.path->entry).x() > at.x()) &&
                            (place(panel_.path->target) - at).norm() < near_path;
       label(at + Place(right ? beside : -beside, at_path ? -near_path : 4.0), level.name, colour, level_text,
@@ -240,7 +240,7 @@ std::vector<LegendEntry> legend_of(const std::vector<SlicePanel>& panels, const 
   return entries;
 }
 
-// The landmarks of a case that are levels of its spine: "L3_L4", "interspace_1", "conus", but no "L3_L4_skin".
+// The landmarks of a case that are levels of its spine: "L3_L4", "interspace_1", "conus", but not "L3_L4_skin".
 std::vector<LevelMark> levels_of(const anatomy::CaseDescription& about) {
   std::vector<LevelMark> levels;
   for (const anatomy::Landmark& landmark : about.landmarks) {
@@ -320,7 +320,7 @@ Canvas case_picture(const anatomy::Case& patient) {
   const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   const Vec3 room = (body.high - body.low + Vec3::Constant(8.0)).cwiseMin(widest);
   const Vec3 target = path ? path->target : Vec3(0.5 * (body.low + body.high));
-  // The middle of the body, or of the part around the target when the body is larger than the picture.
+  // The middle of the body, or of the part around the target if the body is larger than the image.
   const Vec3 slack = 0.5 * (body.high - body.low + Vec3::Constant(8.0) - room);
   const Vec3 middle_of_body = 0.5 * (body.low + body.high);
   const Vec3 centre = target.cwiseMin(middle_of_body + slack).cwiseMax(middle_of_body - slack);

@@ -18,17 +18,16 @@ struct LevelMark {
   bool end_of_cord = false;  // the conus, drawn longer and in a colour of its own
 };
 
-// One slice of a picture and what is drawn upon it.
+// One slice of an image and its overlays.
 struct SlicePanel {
   Slice slice;
   std::string title;
-  std::optional<anatomy::NeedlePath> path;  // planned: entry dot, line, depth ticks every 10 mm, target cross
-  std::vector<Vec3> travelled;              // LPS mm, where the tip really went, in order
-  std::vector<CutElement> elements = {};    // of a mesh; where there are any, they are drawn instead of the pixels
-  std::vector<Vec3> outline = {};           // LPS mm, a closed line: what an ultrasound probe sees
-  std::vector<anatomy::TissueId> named =
-      {};                              // in the legend, seen here or not: pictures of a series get one of one size
-  std::vector<LevelMark> levels = {};  // of the spine; those further than 25 mm from the slice are left out
+  std::optional<anatomy::NeedlePath> path;    // planned: entry dot, line, depth ticks every 10 mm, target cross
+  std::vector<Vec3> travelled;                // LPS mm, actual path of the tip, in order
+  std::vector<CutElement> elements = {};      // of a mesh; if there are any, they are drawn instead of the pixels
+  std::vector<Vec3> outline = {};             // LPS mm, a closed line: field of view of an ultrasound probe
+  std::vector<anatomy::TissueId> named = {};  // always in the legend, for images of a series to have one size
+  std::vector<LevelMark> levels = {};         // of the spine; those farther than 25 mm from the slice are left out
 };
 
 struct SlicesDrawn {
@@ -37,15 +36,15 @@ struct SlicesDrawn {
 };
 
 // Slices side by side, all `height` px high, with orientation letters, millimetre bars and the names of the tissues
-// that they show. Parts of a line further than 2 mm from a slice are dashed.
+// in them. Parts of a line farther than 2 mm from a slice are dashed.
 SlicesDrawn draw_slices(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
                         const std::string& title, double height);
 Canvas slice_picture(const std::vector<SlicePanel>& panels, const anatomy::TissueLibrary& library,
                      const std::string& title, double height);
 
-// The three orthogonal slices of a case through its planned path (or its middle, when it has none): sagittal along
-// the path and close to it, axial and coronal through the target and the whole body. The sagittal and the coronal one
-// show the levels of the spine that the case knows as landmarks: interspaces by name, and the conus.
+// The three orthogonal slices of a case through its planned path (or its middle, if it has none): sagittal along the
+// path in close-up, axial and coronal through the target and the whole body. The sagittal and the coronal one show
+// the levels of the spine that are landmarks of the case: interspaces by name, and the conus.
 Canvas case_picture(const anatomy::Case& patient);
 
 }  // namespace bodkin::imaging

@@ -10,7 +10,7 @@ namespace bodkin::imaging {
 
 namespace {
 
-// Displacement at a place, by its projection onto the grid; that of the border beyond it.
+// Displacement at a place, by its projection onto the grid; beyond the grid that of its border.
 Vec3 displacement_at(const Vec3& place, const SlicePlane& grid, std::span<const float> displacements) {
   const Eigen::Vector2d at = grid.place(place);
   const double column = std::clamp(at.x(), 0.0, grid.width - 1.0), row = std::clamp(at.y(), 0.0, grid.height - 1.0);

@@ -14,7 +14,7 @@ namespace bodkin::report {
 
 namespace {
 
-constexpr double width_of_letter = 0.0095;  // of a name of a part of the motion, as a share of the whole plot
+constexpr double width_of_letter = 0.0095;  // of the name of a motion's part, as a fraction of the whole plot
 
 struct Look {
   std::string_view name;
@@ -22,9 +22,9 @@ struct Look {
   std::vector<double> dash;
 };
 
-// Colours after Okabe and Ito (2008), told apart in every kind of colour vision; their yellow is too pale for a line,
-// so that olive takes its place, and wine (Tol 2021) is added. Dashes differ as well, for print without colour.
-// `others`: how many models with settings of their own there were.
+// Colours after Okabe and Ito (2008), distinguishable in every kind of colour vision; their yellow is too pale for a
+// line, so olive replaces it, and wine (Tol 2021) is added. Dashes differ too, for print without colour. `others`:
+// number of previous models with their own settings.
 Look look_of(std::string_view name, std::size_t& others) {
   static const std::vector<Look> looks = {
       {"layered", 0x000000, {}},
@@ -47,7 +47,7 @@ Look look_of(std::string_view name, std::size_t& others) {
     return std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.name == wanted; });
   };
   if (const auto known = find(name); known != looks.end()) return *known;
-  // A model with settings of its own: the colour of its model, the next free dashes.
+  // A model with its own settings: the colour of its model, the next free dash pattern.
   static const std::vector<std::vector<double>> spare = {{20, 6}, {2, 6},       {12, 3, 3, 3},
                                                          {5, 2},  {3, 2, 3, 6}, {16, 3, 2, 3, 2, 3}};
   const auto of_model = find(name.substr(0, name.find_first_of(" ;")));
@@ -70,16 +70,16 @@ std::vector<PlotBand> bands_over_depth(const study::Comparison& comparison, cons
   return bands_of(tissues_crossed(ticks, comparison.dt), library);
 }
 
-// Where a model's depth in the material stands among what it publishes; of the hand's depth nothing is asked.
+// Index of the depth in the material among a model's published numbers; irrelevant for the hand's depth.
 std::size_t material_of(const study::ModelRun& run, PlottedDepth depth) {
   if (depth == PlottedDepth::hand) return 0;
   for (std::size_t i = 0; i < run.diagnostics.size(); ++i)
     if (run.diagnostics[i].name == simulation::material_depth_name) return i;
   throw InputError(
-      fmt::format("--depth material: {} says nothing of it with the tables; leave out --mechanics tables", run.name));
+      fmt::format("--depth material: {} does not report it with the tables; leave out --mechanics tables", run.name));
 }
 
-// Where the plot over depth begins, mm: before the skin as far as any model still has a force.
+// Beginning of the plot over depth, mm: before the skin as far as any model still has a force.
 double least_depth(const study::Comparison& comparison) {
   double least = 0.0;
   for (const study::ModelRun& run : comparison.models) {

@@ -10,7 +10,7 @@ namespace bodkin::report {
 
 // Force over depth (insertion thick, withdrawal thin) and force over time, for draw_plots(). Tissues are bands; each
 // model has its colour and its dashes, a variant the colour of its model. Forces far above the peak of the device are
-// cut off. `depth`: that of each model in its material throws InputError where one does not know it.
+// cut off. `depth`: the depth in the material throws InputError for a model that does not know it.
 std::vector<Plot> comparison_plots(const study::Comparison& comparison, const anatomy::TissueLibrary& library,
                                    double peak_force, PlottedDepth depth = PlottedDepth::hand);
 

@@ -8,8 +8,8 @@ namespace bodkin::report {
 
 namespace {
 
-// The largest resistance of a crossing. What rises until the next tissue gives way is that tissue's, so a rise counts
-// only when it is over; and what falls after a tissue has given way is still that tissue's.
+// The largest resistance of a crossing. A rise until the next tissue gives way belongs to that tissue, so it counts
+// only when it is over; and a fall after a tissue has given way still belongs to that tissue.
 class PeakOfCrossing {
  public:
   static constexpr int ticks_to_fall = 4;  // after a tissue has given way
@@ -35,7 +35,7 @@ class PeakOfCrossing {
     }
     rise_ = 0.0;
   }
-  // Of the rise, all but `others` N belongs to a tissue that gave way.
+  // The rise, minus `others` N, belongs to a tissue that gave way.
   void leave(double others) { rise_ = std::min(rise_, std::max(0.0, others)); }
   void begin() {
     rise_ = 0.0;
@@ -67,7 +67,7 @@ std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickReco
     const double advance = output.depth - deepest;
     if (crossings.empty()) crossings.push_back({output.tissue, 0.0, output.depth, 0.0, output.depth, 0.0});
     for (const forces::Event& event : output.events) {
-      // With what the hand felt then, the tip was before the tissue until now, and the force before was its own.
+      // By the force at the hand then, the tip was before the tissue until now, and the previous force was its own.
       if (event.kind != forces::EventKind::puncture || event.felt == 0.0) continue;
       if (crossings.back().tissue != event.tissue) {
         peak.leave(event.felt - event.value);
@@ -118,10 +118,10 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
       return "the tip touches the body";
     case forces::EventKind::puncture:
       if (event.felt > event.value + 0.005)
-        return fmt::format("{} gives way at {:.2f} N, {:.2f} N of it its own", title, event.felt, event.value);
+        return fmt::format("{} gives way at {:.2f} N, of which {:.2f} N are its own", title, event.felt, event.value);
       return fmt::format("{} gives way at {:.2f} N", title, event.value);
     case forces::EventKind::loss_of_resistance:
-      return fmt::format("loss of resistance, {:.2f} N fall away", event.value);
+      return fmt::format("loss of resistance, the force falls by {:.2f} N", event.value);
     case forces::EventKind::bone_contact:
       return fmt::format("the tip meets bone ({})", title);
     case forces::EventKind::bone_left:
@@ -135,7 +135,7 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
     case forces::EventKind::points_passed:
       return "the needle is past the contact points of its line";
     case forces::EventKind::line_taken:
-      return "the needle begins on another line than before";
+      return "the needle enters on another line than before";
     case forces::EventKind::moving_body_met:
       return "the needle is in tissue that the probe has moved";
     case forces::EventKind::moving_body_failed:
@@ -145,17 +145,17 @@ std::string event_text(const forces::Event& event, const anatomy::TissueLibrary&
     case forces::EventKind::pressure_lost:
       return fmt::format("the plunger gives way, the pressure falls by {:.0f} kPa", 1000.0 * event.value);
     case forces::EventKind::hub_contact:
-      return "the hub meets the skin: the needle is in to its whole length";
+      return "the hub meets the skin: the needle is inserted to its full length";
     case forces::EventKind::needle_buckled:
       return fmt::format("the needle buckles at {:.2f} N, its tip stays", event.value);
     case forces::EventKind::points_taken:
       return "contact points of the needle's line are computed";
     case forces::EventKind::points_coupled:
-      return "the needle's contact points are coupled with what the probe holds now";
+      return "the needle's contact points are coupled with the nodes that the probe holds now";
     case forces::EventKind::points_late:
       return fmt::format("the tip is {:.1f} mm past a contact point that is still being computed", event.value);
     case forces::EventKind::palpated:
-      return fmt::format("a place on the skin is felt{}, {:.2f} N/mm firm",
+      return fmt::format("a place on the skin is felt{}, stiffness {:.2f} N/mm",
                          event.tissue == anatomy::tissue::skin ? "" : " with bone under it", event.value);
     case forces::EventKind::stylet_out:
       return "the stylet is taken out";

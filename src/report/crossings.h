@@ -14,18 +14,18 @@
 
 namespace bodkin::report {
 
-// A stretch of one tissue that the tip passed, recorded at its first entry.
+// A section of one tissue that the tip passed, recorded at its first entry.
 struct TissueCrossing {
   anatomy::TissueId tissue = anatomy::tissue::air;
   double from = 0.0;        // mm, depth of the near face (of the entry of the tip)
   double to = 0.0;          // mm, depth of the far face, or the deepest point in the last one
   double peak_force = 0.0;  // N, largest resistance while the tip passed through it
-  double peak_depth = 0.0;  // mm, where that was
+  double peak_depth = 0.0;  // mm, its depth
   double time = 0.0;        // s, from the first to the last tick of the first pass
 };
 
 // The tissues in the order of their depth during one insertion: `ticks` from contact to withdrawal. Ticks outside the
-// body are passed over.
+// body are ignored.
 std::vector<TissueCrossing> tissues_crossed(std::span<const simulation::TickRecord> ticks, double dt);
 
 // An insertion inside a recording: the ticks from the first contact until the needle has left the body.
@@ -38,9 +38,9 @@ struct Insertion {
 // The insertions of a recording, in order.
 std::vector<Insertion> insertions(std::span<const simulation::TickRecord> ticks);
 
-// What happened, for people: "skin gives way at 0.85 N".
+// An event, for people: "skin gives way at 0.85 N".
 std::string event_text(const forces::Event& event, const anatomy::TissueLibrary& library);
-// Whether an event is worth a number in a plot (a tissue entered without more is not).
+// Whether an event gets a number in a plot (a tissue entered without any other event does not).
 bool is_notable(forces::EventKind kind);
 
 // The crossings as coloured bands of a plot over depth.

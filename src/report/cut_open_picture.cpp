@@ -12,15 +12,15 @@ namespace bodkin::report {
 
 namespace {
 
-constexpr double least_reach = 55.0;                        // mm that is shown about the path's middle
-constexpr double relative_reach = 0.9;                      // the same by the length of the path
-constexpr double opening = 2.0 / 3.0;                       // of the distance that the picture shows, half of it
-constexpr double from_the_front = 0.45, from_above = 0.35;  // how far the eye stands out of the cut's normal
+constexpr double least_reach = 55.0;                        // mm shown about the path's middle
+constexpr double relative_reach = 0.9;                      // the same over the length of the path
+constexpr double opening = 2.0 / 3.0;                       // of the distance: half of the visible extent
+constexpr double from_the_front = 0.45, from_above = 0.35;  // tilt of the eye out of the cut's normal
 constexpr double pixels_for_px = 1.5;
-constexpr std::uint32_t ground = 0x0E1116, planned = 0x2DE0BE, taken = 0x4DA3FF, end_of_way = 0xFFFFFF,
+constexpr std::uint32_t ground = 0x0E1116, planned = 0x2DE0BE, tip_ink = 0x4DA3FF, path_end = 0xFFFFFF,
                         probe_colour = 0xFFB547;
 
-// The axis of the lattice that is most across the path and most to the patient's side.
+// The lattice's axis most perpendicular to the path and most lateral.
 int side_axis(const anatomy::Grid& grid, const Vec3& along) {
   int best = 0;
   double most = -1.0;
@@ -52,7 +52,7 @@ anatomy::Volume<Voxel> cropped(const anatomy::Volume<Voxel>& volume, const std::
   return part;
 }
 
-// A pinhole camera and where it sees a point.
+// A pinhole camera and its projection of a point.
 struct Eye {
   Vec3 place, forwards, right, down;  // unit directions
   double pitch = 0.0;                 // of a pixel at a distance of 1
@@ -69,13 +69,13 @@ struct Eye {
     return seen;
   }
   Eigen::Vector2d pixel_of(const Vec3& point) const {
-    const Vec3 way = point - place;
-    const double ahead = pitch * way.dot(forwards);
-    return {way.dot(right) / ahead + 0.5 * width, way.dot(down) / ahead + 0.5 * height};
+    const Vec3 offset = point - place;
+    const double ahead = pitch * offset.dot(forwards);
+    return {offset.dot(right) / ahead + 0.5 * width, offset.dot(down) / ahead + 0.5 * height};
   }
 };
 
-// From the open side of the cut, a little from where the needle comes and from above, upright.
+// From the open side of the cut, slightly from the needle's side and from above, upright.
 Eye eye_of(const Vec3& middle, const Vec3& open_side, const Vec3& along, double reach, int width, int height) {
   Eye eye;
   eye.width = width;
@@ -95,13 +95,13 @@ Eye eye_of(const Vec3& middle, const Vec3& open_side, const Vec3& along, double 
 
 imaging::Canvas cut_open_picture(const anatomy::Case& patient, const anatomy::NeedlePath& path,
                                  const std::vector<Vec3>& travelled, double width, double height,
-                                 const ProbeWay& probe) {
+                                 const ProbePath& probe) {
   const anatomy::Grid& grid = patient.ct.grid;
   const Vec3 middle = 0.5 * (path.entry + path.target), along = path.direction();
   const double reach = std::max(least_reach, relative_reach * path.length());
   const int side = side_axis(grid, along);
 
-  // The box about the path, without what lies on the open side of the cut.
+  // The box about the path, without the open side of the cut.
   const Vec3 centre = grid.to_index(middle);
   std::array<int, 3> low{}, high{};
   for (int axis = 0; axis < 3; ++axis) {
@@ -112,7 +112,7 @@ imaging::Canvas cut_open_picture(const anatomy::Case& patient, const anatomy::Ne
   }
   const auto cut = static_cast<std::size_t>(side);
   Vec3 open_side = grid.direction.col(side);
-  const bool opens_upwards = open_side.x() >= 0.0;  // the patient's left is taken away
+  const bool opens_upwards = open_side.x() >= 0.0;  // the patient's left is removed
   const int at_path = std::clamp(static_cast<int>(std::lround(centre[side])), low[cut], high[cut]);
   if (opens_upwards) {
     high[cut] = at_path;
@@ -157,21 +157,21 @@ imaging::Canvas cut_open_picture(const anatomy::Case& patient, const anatomy::Ne
   canvas.stroke(imaging::Path::segment(place(path.entry), place(path.target)), {planned, 2.0, {6.0, 4.0}});
   canvas.stroke(imaging::Path::circle(place(path.target), 7.0), {planned, 2.0});
   if (!travelled.empty()) {
-    canvas.stroke(imaging::Path::polyline(places(travelled)), {taken, 2.5});
+    canvas.stroke(imaging::Path::polyline(places(travelled)), {tip_ink, 2.5});
     const auto deepest = std::max_element(travelled.begin(), travelled.end(), [&](const Vec3& a, const Vec3& b) {
       return (a - path.entry).dot(along) < (b - path.entry).dot(along);
     });
-    canvas.fill(imaging::Path::circle(place(*deepest), 3.5), end_of_way);
+    canvas.fill(imaging::Path::circle(place(*deepest), 3.5), path_end);
   }
   const imaging::TextStyle words{.size = 12.0, .ink = 0xE9EDF2, .halo = true};
   if (!probe.face.empty())
-    canvas.text({12.0, height - 60.0}, "probe: way of its face, with its slice",
+    canvas.text({12.0, height - 60.0}, "probe: path of its face, with its slice",
                 {.size = 12.0, .ink = probe_colour, .halo = true});
   canvas.text({12.0, height - 44.0}, "cut open along the planned path; bone as in the CT", words);
   canvas.text({12.0, height - 28.0}, "dashed: planned, with the target",
               {.size = 12.0, .ink = planned, .halo = true});
-  canvas.text({12.0, height - 12.0}, "solid: way of the tip, dot at its deepest place",
-              {.size = 12.0, .ink = taken, .halo = true});
+  canvas.text({12.0, height - 12.0}, "solid: path of the tip, dot at its deepest place",
+              {.size = 12.0, .ink = tip_ink, .halo = true});
   return canvas;
 }
 

@@ -11,7 +11,7 @@ namespace bodkin::report {
 namespace {
 
 constexpr double plot_height = 180.0;  // px
-// After Okabe and Ito (2008), told apart in every kind of colour vision.
+// After Okabe and Ito (2008), distinguishable in every kind of colour vision.
 constexpr std::array<std::uint32_t, 6> diagnostic_colours = {0x0072B2, 0xD55E00, 0x009E73,
                                                              0xCC79A7, 0xE69F00, 0x56B4E9};
 

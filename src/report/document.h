@@ -12,8 +12,8 @@
 
 namespace bodkin::report {
 
-// What a report says, without how it looks: a title and blocks one below the other. html_of() and pdf_of() give it
-// its form. All texts are plain UTF-8; what a file format needs escaped is escaped there.
+// The content of a report, without its layout: a title and blocks one below the other. html_of() and pdf_of() give it
+// a form. All texts are plain UTF-8; escaping is left to the file format.
 
 struct Heading {
   std::string text;
@@ -21,7 +21,7 @@ struct Heading {
 
 struct Paragraph {
   std::string text;
-  bool is_empty_section = false;  // says that there is nothing to say
+  bool is_empty_section = false;  // states that there is no content
 };
 
 struct Verdict {
@@ -34,7 +34,7 @@ struct Verdict {
   std::vector<Finding> findings;
 };
 
-// The few numbers that say most.
+// The few most important numbers.
 struct Tiles {
   struct Tile {
     std::string value, title;
@@ -46,13 +46,13 @@ struct Tiles {
 struct Table {
   struct Column {
     std::string title;
-    bool is_number = false;  // set to the right
+    bool is_number = false;  // right-aligned
   };
   struct Cell {
     std::string text;
     std::optional<training::Grade> grade = {};
     std::optional<std::uint32_t> swatch = {};  // 0xRRGGBB, of a tissue
-    bool is_soft = false;                      // in the grey of remarks
+    bool is_muted = false;                     // in the grey of remarks
   };
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  // a cell for each column

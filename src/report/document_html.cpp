@@ -73,7 +73,7 @@ class HtmlWriter {
       for (std::size_t i = 0; i < row.size(); ++i) {
         const Table::Cell& cell = row[i];
         const std::string classes = (table.columns[i].is_number ? "n"
-                                     : cell.is_soft             ? "none"
+                                     : cell.is_muted            ? "none"
                                                                 : "") +
                                     class_of(cell.grade);
         emit("<td{}>", classes.empty() ? "" : fmt::format(" class=\"{}\"", classes));

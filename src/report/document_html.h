@@ -6,7 +6,7 @@
 
 namespace bodkin::report {
 
-// The document as one HTML page that stands alone: style and pictures lie inside, it refers to nothing outside.
+// The document as one self-contained HTML page: style and images are embedded, it refers to nothing outside.
 std::string html_of(const Document& document);
 
 }  // namespace bodkin::report

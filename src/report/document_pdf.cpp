@@ -28,7 +28,7 @@ constexpr double base_line = 1.02;    // of the size of the text, below the line
 constexpr double cell_padding = 5.0;  // left and right of a cell's text
 constexpr double highest_figure = 330.0;
 
-constexpr std::uint32_t ink = 0x16222C, soft_ink = 0x5A6873, rule = 0xDFE4E8, card = 0xF4F6F8;
+constexpr std::uint32_t ink = 0x16222C, muted_ink = 0x5A6873, rule = 0xDFE4E8, card = 0xF4F6F8;
 
 std::uint32_t ink_of(training::Grade grade) {
   constexpr std::array<std::uint32_t, 4> inks = {0x1D7A4F, 0x8A6100, 0xA3471A, 0xB3121D};
@@ -47,8 +47,7 @@ struct Font {
   double height() const { return line_height * size; }
 };
 
-// The longest beginning of `word` that is not wider than `width`, one character at least; never a part of a UTF-8
-// character.
+// The longest prefix of `word` not wider than `width`, at least one character; never a part of a UTF-8 character.
 std::size_t fitting_part(std::string_view word, double width, const Font& font) {
   std::size_t fits = 0;
   for (std::size_t end = 1; end <= word.size(); ++end) {
@@ -59,7 +58,7 @@ std::size_t fitting_part(std::string_view word, double width, const Font& font) 
   return fits;
 }
 
-// The text in lines that are not wider than `width`, divided at spaces, and within words that are wider.
+// The text in lines not wider than `width`, divided at spaces, and within wider words.
 std::vector<std::string> wrapped(std::string_view text, double width, const Font& font) {
   std::vector<std::string> lines(1);
   while (!text.empty()) {
@@ -84,7 +83,7 @@ std::vector<std::string> wrapped(std::string_view text, double width, const Font
   return lines;
 }
 
-// How wide each column is so that all of them fill the page: numbers get what they need, text shares the rest.
+// Column widths that fill the page: numbers get the width that they need, text shares the rest.
 std::vector<double> column_widths(const Table& table) {
   constexpr double widest = 230.0, narrowest = 40.0;
   std::vector<double> widths;
@@ -103,12 +102,12 @@ std::vector<double> column_widths(const Table& table) {
   return widths;
 }
 
-// How much larger a figure is on the page than on its canvas.
+// Scale of a figure from its canvas to the page.
 double scale_of(const Canvas& picture) {
   return std::min(content_width / picture.width(), highest_figure / picture.height());
 }
 
-// What a heading wants to have below it on its page.
+// The minimum height of the content below a heading on its page.
 double least_height(const Block& block) {
   const auto* const figure = std::get_if<Picture>(&block);
   return figure != nullptr ? scale_of(figure->picture) * figure->picture.height() : 50.0;
@@ -119,10 +118,10 @@ class PageLayout {
   std::string write(const Document& document) {
     begin_page();
     lines(wrapped(document.title, content_width, {17.0, true}), margin, {17.0, true}, ink);
-    lines(wrapped(document.subtitle, content_width, {}), margin, {}, soft_ink);
+    lines(wrapped(document.subtitle, content_width, {}), margin, {}, muted_ink);
     y_ += 8.0;
     for (std::size_t i = 0; i < document.blocks.size(); ++i) {
-      // A heading does not stand alone at the end of a page.
+      // A heading must not be the last line of a page.
       if (std::holds_alternative<Heading>(document.blocks[i]))
         need(40.0 + (i + 1 < document.blocks.size() ? least_height(document.blocks[i + 1]) : 0.0));
       std::visit([this](const auto& each) { add(each); }, document.blocks[i]);
@@ -140,7 +139,7 @@ class PageLayout {
     y_ = margin;
   }
 
-  // Goes to a new page unless `height` still has room on this one, or would have none on an empty page.
+  // Begins a new page unless `height` fits on this one, or not even on an empty page.
   void need(double height) {
     if (y_ + height > content_bottom && y_ > margin) begin_page();
   }
@@ -155,7 +154,7 @@ class PageLayout {
     page().text({x, y + base_line * font.size}, text, style);
   }
 
-  // Lines one below the other, each on the next page when this one is full.
+  // Lines one below the other, continued on the next page when this one is full.
   void lines(std::span<const std::string> texts, double x, const Font& font, std::uint32_t colour) {
     for (const std::string& each : texts) {
       need(font.height());
@@ -171,7 +170,7 @@ class PageLayout {
   }
 
   void add(const Paragraph& paragraph) {
-    lines(wrapped(paragraph.text, content_width, {}), margin, {}, soft_ink);
+    lines(wrapped(paragraph.text, content_width, {}), margin, {}, muted_ink);
     y_ += 5.0;
   }
 
@@ -220,7 +219,7 @@ class PageLayout {
       const Font font{7.0, false};
       const std::vector<std::string> title = wrapped(tile.title, width - 14.0, font);
       for (std::size_t line = 0; line < std::min<std::size_t>(title.size(), 3); ++line)
-        put(title[line], x + 8.0, y_ + 21.0 + static_cast<double>(line) * font.height(), font, soft_ink);
+        put(title[line], x + 8.0, y_ + 21.0 + static_cast<double>(line) * font.height(), font, muted_ink);
     }
     if (!tiles.tiles.empty()) y_ += height + 8.0;
   }
@@ -236,11 +235,11 @@ class PageLayout {
     const double height = static_cast<double>(most) * font.height() + 4.0;
     double x = margin;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-      cell_text(titles[i], x, widths[i], font, soft_ink, table.columns[i].is_number);
+      cell_text(titles[i], x, widths[i], font, muted_ink, table.columns[i].is_number);
       x += widths[i];
     }
     y_ += height;
-    page().fill(Path::rectangle(margin, y_ - 1.0, content_width, 0.8), soft_ink);
+    page().fill(Path::rectangle(margin, y_ - 1.0, content_width, 0.8), muted_ink);
   }
 
   void cell_text(const std::vector<std::string>& texts, double x, double width, const Font& font,
@@ -281,7 +280,7 @@ class PageLayout {
       for (std::size_t i = 0; i < rows[r].size(); ++i) {
         const Table::Cell& cell = table.rows[r][i];
         const bool is_marked = cell.grade && *cell.grade != training::Grade::pass;
-        const std::uint32_t colour = is_marked ? ink_of(*cell.grade) : cell.is_soft ? soft_ink : ink;
+        const std::uint32_t colour = is_marked ? ink_of(*cell.grade) : cell.is_muted ? muted_ink : ink;
         if (cell.swatch) page().fill(Path::rectangle(x + cell_padding, y_ + 4.5, swatch, swatch), *cell.swatch);
         const double moved = cell.swatch ? beside_swatch : 0.0;
         cell_text(rows[r][i], x + moved, widths[i] - moved, {text_size, is_marked}, colour,
@@ -301,7 +300,7 @@ class PageLayout {
       const std::vector<std::string> name = wrapped(each.name, name_width - 10.0, {small_size, true});
       const std::vector<std::string> value = wrapped(each.value, content_width - name_width, {});
       need(Font().height() + 4.0);
-      put(name.front(), margin, y_, {small_size, true}, soft_ink);
+      put(name.front(), margin, y_, {small_size, true}, muted_ink);
       lines(value, margin + name_width, {}, ink);
       y_ += 3.0;
     }
@@ -320,7 +319,7 @@ class PageLayout {
     for (std::size_t i = 0; i < pages_.size(); ++i) {
       TextStyle style;
       style.size = 7.5;
-      style.ink = soft_ink;
+      style.ink = muted_ink;
       pages_[i].text({margin, page_height - margin + 4.0}, short_title, style);
       style.anchor = TextAnchor::end;
       pages_[i].text({page_width - margin, page_height - margin + 4.0},

@@ -24,7 +24,7 @@ std::string number(double value) {
   return fmt::format("{:.{}g}", std::abs(value) < 5e-5 ? 0.0 : value, digits);
 }
 
-// Text in which Markdown and HTML find nothing to interpret.
+// Text without characters special to Markdown or HTML.
 std::string in_markdown(std::string_view text) {
   std::string safe;
   for (const char c : text) {
@@ -34,23 +34,23 @@ std::string in_markdown(std::string_view text) {
   return safe;
 }
 
-const char* take_in_words(io::Take take) {
-  switch (take) {
-    case io::Take::mean:
+const char* aggregation_words(io::Aggregation aggregation) {
+  switch (aggregation) {
+    case io::Aggregation::mean:
       return "mean";
-    case io::Take::highest:
+    case io::Aggregation::highest:
       return "highest";
-    case io::Take::lowest:
+    case io::Aggregation::lowest:
       return "lowest";
-    case io::Take::first:
+    case io::Aggregation::first:
       return "first";
-    case io::Take::last:
+    case io::Aggregation::last:
       return "last";
   }
   return "";
 }
 
-// The parts of a caption that say something, in their order.
+// The non-empty parts of a caption, in their order.
 std::vector<std::pair<const char*, std::string>> parts(const io::ExperimentCaption& caption) {
   std::vector<std::pair<const char*, std::string>> all = {{"Reproduces", caption.reproduces},
                                                           {"Parameters", caption.parameters},
@@ -61,7 +61,7 @@ std::vector<std::pair<const char*, std::string>> parts(const io::ExperimentCapti
 }
 
 std::string compared(const study::PublishedComparison& comparison) {
-  return fmt::format("{} ({})", comparison.published.what, take_in_words(comparison.published.take));
+  return fmt::format("{} ({})", comparison.published.what, aggregation_words(comparison.published.aggregation));
 }
 
 }  // namespace

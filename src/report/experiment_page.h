@@ -7,7 +7,7 @@
 
 namespace bodkin::report {
 
-// An experiment that has been played and drawn.
+// An experiment with its run and plot.
 struct Figure {
   io::Experiment experiment;
   study::ExperimentRun run;
@@ -16,10 +16,10 @@ struct Figure {
 // "1.50 N", "-0.25 N": a value of a quantity with its unit.
 std::string with_unit(double value, io::Quantity quantity);
 
-// A page with every figure (files NAME.svg beside it), its caption and its table of published and found numbers.
+// A page with every figure (files NAME.svg next to it), its caption and its table of published and found numbers.
 std::string figures_html(const std::vector<Figure>& figures);
 
-// The same page as Markdown, for a folder of documentation.
+// The same page as Markdown, for documentation.
 std::string figures_markdown(const std::vector<Figure>& figures);
 
 }  // namespace bodkin::report

@@ -42,7 +42,7 @@ class Panel {
   }
 
  private:
-  // A new series wherever the quantity is not known in between.
+  // A new series after every gap in the quantity.
   void add_curve(const io::ExperimentCurve& curve) {
     const std::uint32_t colour = colours[curves_++ % colours.size()];
     const auto series = [&](std::string name) {
@@ -77,7 +77,7 @@ class Panel {
         plot_.bands.back().to = std::max(plot_.bands.back().to, x);
         continue;
       }
-      // On the way back over a band that is there already.
+      // On the way back over an existing band.
       const bool covered = std::any_of(plot_.bands.begin(), plot_.bands.end(),
                                        [x](const PlotBand& band) { return x >= band.from && x <= band.to; });
       if (!covered) plot_.bands.push_back({open_ ? plot_.bands.back().to : x, x, tissue->colour, tissue->title});
@@ -86,7 +86,7 @@ class Panel {
     std::erase_if(plot_.bands, [](const PlotBand& band) { return band.to - band.from < shortest_band; });
   }
 
-  // Over the window of a published value, or short and at its place for one moment.
+  // Over the window of a published value, or short and at its position for a single moment.
   void add_published() {
     bool named = false;
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -114,8 +114,8 @@ class Panel {
         any = true;
       }
       if (!any) continue;
-      if (value.take == io::Take::first || value.take == io::Take::last) {
-        const double at = value.take == io::Take::first ? first : last;
+      if (value.aggregation == io::Aggregation::first || value.aggregation == io::Aggregation::last) {
+        const double at = value.aggregation == io::Aggregation::first ? first : last;
         from = std::max(low, at - 0.5 * short_line * width);
         to = std::min(high, at + 0.5 * short_line * width);
       }

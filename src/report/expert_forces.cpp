@@ -18,9 +18,9 @@ namespace {
 
 constexpr double bin = 0.5;       // mm of depth
 constexpr double longest = 60.0;  // s of an attempt
-constexpr int fewest = 5;         // attempts at a depth that are worth a range
+constexpr int fewest = 5;         // attempts at a depth, minimum for a range
 
-// N, the greatest resistance in each bin of depth while the tip was deeper than ever before; below 0: never there.
+// N, the greatest resistance in each bin of depth while the tip was deeper than before; below 0: never there.
 std::vector<double> felt_on_the_way_in(const session::Session& session) {
   std::vector<double> felt;
   double deepest = 0.0;
@@ -52,7 +52,7 @@ std::optional<PlotRange> expert_forces(const anatomy::Case& patient, const sessi
           felt_on_the_way_in(training::simulate_attempt(same, script, header.path, seed, {.longest = longest}));
     });
   } catch (const InputError&) {
-    return std::nullopt;  // a path of the session that no script can begin on
+    return std::nullopt;  // a session's path from which no script can begin
   }
   PlotRange range;
   range.name = fmt::format("{} attempts of the simulated expert", expert_attempts);

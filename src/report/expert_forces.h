@@ -10,14 +10,14 @@
 
 namespace bodkin::report {
 
-// Attempts of the simulated expert with which an attempt's forces are compared.
+// Number of the simulated expert's attempts with which an attempt's forces are compared.
 inline constexpr int expert_attempts = 20;
 
-// The resistance that the simulated operator `expert` (session::load_operator) meets on the way in, against depth: on
-// this patient, with the path, the device and the force models of the session, in `expert_attempts` attempts with
-// seeds of their own. Each depth has the least and the greatest of what the attempts felt there, within half a
-// millimetre. Nothing for models of a deformable body, whose attempts take minutes, or where the expert cannot begin
-// on this path. Throws InputError for an operator that does not exist.
+// The resistance that the simulated operator `expert` (session::load_operator) meets during insertion, against depth:
+// on this patient, with the path, the device and the force models of the session, in `expert_attempts` attempts with
+// seeds of their own. Each depth has the minimum and maximum of the attempts within half a millimetre. Empty for
+// models of a deformable body, whose attempts take minutes, or if the expert cannot start on this path. Throws
+// InputError for an unknown operator.
 std::optional<PlotRange> expert_forces(const anatomy::Case& patient, const session::SessionHeader& header,
                                        const std::string& expert);
 

@@ -20,7 +20,7 @@ constexpr std::uint32_t words_ink = 0x26303A, remark_ink = 0x5B6670, band_ink = 
 
 double ExpertRow::share() const {
   if (high > low) return (value - low) / (high - low);
-  // All experts have the same: whoever has that too stands in the middle.
+  // All experts have the same value: one who shares it is in the middle.
   return value == low ? 0.5 : value < low ? -2.0 : 3.0;
 }
 

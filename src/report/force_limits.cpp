@@ -15,7 +15,7 @@ constexpr std::array<std::uint8_t, 5> limit_flags = {haptics::force_limit::peak,
                                                      haptics::force_limit::passivity, haptics::force_limit::slew,
                                                      haptics::force_limit::fault};
 
-// What the governor did to the force under one limit.
+// The governor's effect on the force under one limit.
 std::string limit_text(std::uint8_t limit, const anatomy::DeviceLimits& device) {
   switch (limit) {
     case haptics::force_limit::peak:
@@ -25,7 +25,7 @@ std::string limit_text(std::uint8_t limit, const anatomy::DeviceLimits& device) 
     case haptics::force_limit::passivity:
       return "the tissue would have given back more energy than the hand had put in, and was damped";
     case haptics::force_limit::slew:
-      return "the force grew faster than is let through";
+      return "the force would have risen faster than the limit allows";
     default:
       return "after a fault the force was taken to zero";
   }
@@ -62,8 +62,7 @@ std::string ForceLimits::sentence(const anatomy::DeviceLimits& device) const {
   for (const LimitTime& each : limits) {
     reasons += fmt::format("{}{} ({:.2f} s)", reasons.empty() ? "" : "; ", limit_text(each.limit, device), each.time);
   }
-  return fmt::format("The hand felt another force than the tissue asked for {}, {:.2f} s in all: {}.",
-                     times(interventions), time, reasons);
+  return fmt::format("The force was limited {}, {:.2f} s in all: {}.", times(interventions), time, reasons);
 }
 
 }  // namespace bodkin::report

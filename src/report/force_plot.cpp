@@ -12,8 +12,8 @@ namespace bodkin::report {
 
 namespace {
 
-constexpr double visible_difference = 0.1;  // N between asked and applied that the eye can see ...
-constexpr double worth_a_curve = 0.01;      // ... and the share of ticks that makes it worth a curve
+constexpr double visible_difference = 0.1;  // N between request and applied force that are visible ...
+constexpr double worth_a_curve = 0.01;      // ... and the fraction of ticks that makes a curve worthwhile
 constexpr std::uint32_t earlier_colour = 0x9AA7B1, applied_colour = 0xD9722B, depth_colour = 0x2E8B6F;
 
 }  // namespace
@@ -55,7 +55,7 @@ Plot force_against_depth(std::span<const simulation::TickRecord> ticks, std::spa
       series.y.push_back(output.resistance);
       if (!main) continue;
       highest = std::max(highest, output.resistance);
-      // The part of the applied force that resists: without the device's weight, along the needle.
+      // The resisting part of the applied force: without the device's weight, along the needle.
       const Vec3 felt = output.applied.force - compensation.step(record.input.needle.translation());
       applied.x.push_back(output.depth);
       applied.y.push_back(-felt.dot(needle_axis(record.input.needle)));
@@ -76,7 +76,7 @@ Plot force_against_depth(std::span<const simulation::TickRecord> ticks, std::spa
         std::lower_bound(part.begin(), part.end(), event.tick,
                          [](const simulation::TickRecord& r, std::uint64_t tick) { return r.tick < tick; });
     if (record == part.end()) continue;
-    // What gave way did so at the force of the tick before.
+    // A puncture occurred at the force of the previous tick.
     const auto before = record == part.begin() ? record : record - 1;
     plot.marks.push_back({event.event.depth, std::max(record->output.resistance, before->output.resistance),
                           event_text(event.event, patient.library)});

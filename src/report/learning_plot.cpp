@@ -17,7 +17,7 @@ imaging::Canvas draw_learning_curve(const std::vector<training::AttemptSummary>&
            .x_label = "",
            .y_label = "CUSUM of failures"};
   PlotSeries curve{.name = "failures against what is acceptable", .x = {0.0}, .y = {0.0}, .colour = curve_colour};
-  // The limits begin anew wherever one was crossed.
+  // The limits restart wherever one was crossed.
   PlotSeries mastery{
       .name = "mastery below", .x = {}, .y = {}, .colour = score_colour, .width = 1.2, .dash = {5.0, 4.0}},
       absence{

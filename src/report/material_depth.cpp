@@ -30,7 +30,7 @@ MaterialDepths in_material(std::span<const simulation::TickRecord> ticks,
   const std::optional<std::size_t> at = material_diagnostic(diagnostics);
   if (!at) {
     throw InputError(
-        "the force models say nothing of the depth in the material; take a case with mechanics=\"physical\", or "
+        "the force models do not report the depth in the material; take a case with mechanics=\"physical\", or "
         "leave "
         "the plots at the depth of the hand");
   }

@@ -13,24 +13,24 @@
 
 namespace bodkin::report {
 
-// What plots against depth count: how deep the hand has brought the tip, or how deep the tissue that touches the tip
-// lies when nothing pushes it (forces::ResistanceForce::material). While a tissue is pushed and has not given way,
-// the first grows and the second stays.
+// The depth used in plots: that of the tip in the hand, or that of the tissue at the tip in its undeformed state
+// (forces::ResistanceForce::material). While a tissue is pushed but not punctured, the first grows and the second
+// does not.
 enum class PlottedDepth : std::uint8_t { hand, material };
 
-// "hand" or "material". `option`: as it is called in the sentence. Throws InputError for anything else.
+// "hand" or "material". `option`: its name in the message. Throws InputError for anything else.
 PlottedDepth parse_plotted_depth(std::string_view text, std::string_view option);
 
-// Ticks and events of a session whose depths are those in the material.
+// Ticks and events of a session with depths in the material.
 struct MaterialDepths {
   std::vector<simulation::TickRecord> ticks;
   std::vector<session::SessionEvent> events;
 };
 
-// Where the depth in the material stands among the diagnostics; none where the models do not know it.
+// Position of the depth in the material among the diagnostics; empty if the models do not know it.
 std::optional<std::size_t> material_diagnostic(std::span<const session::RecordedDiagnostic> diagnostics);
 
-// `events` may stand in the ticks or apart. Throws InputError when the diagnostics have no depth in the material.
+// `events` may be in the ticks or separate. Throws InputError when the diagnostics have no depth in the material.
 MaterialDepths in_material(std::span<const simulation::TickRecord> ticks,
                            std::span<const session::SessionEvent> events,
                            std::span<const session::RecordedDiagnostic> diagnostics);

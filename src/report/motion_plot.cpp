@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 2> places_on_line = {"wall_mm", "reference_mm"};
 constexpr std::uint32_t wall_colour = 0xD55E00, tip_colour = 0x12385C;
 
-// The place that a model publishes, while it resists; a gap elsewhere is a new series.
+// The place published by a model while it resists; a new series after every gap.
 void add_place(Plot& plot, const study::Profile& profile, std::size_t diagnostic) {
   bool open = false, named = false;
   for (const simulation::TickRecord& record : profile.ticks) {

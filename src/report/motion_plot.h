@@ -9,7 +9,7 @@
 
 namespace bodkin::report {
 
-// Whether a diagnostic (forces/diagnostics.h) is a place on the needle's line, mm, to be compared with its depth: the
+// Whether a diagnostic (forces/diagnostics.h) is a position on the needle's line, mm, comparable with its depth: the
 // wall of a tracking wall, the reference of a leash.
 bool is_place_on_line(std::string_view diagnostic);
 
@@ -17,8 +17,8 @@ bool is_place_on_line(std::string_view diagnostic);
 std::vector<PlotBand> bands_over_time(std::span<const anatomy::TissueId> tissues, double dt,
                                       const anatomy::TissueLibrary& library);
 
-// A profile over time, as Alamilla 2018 draws it: the tip's depth below the skin with the wall where the model has
-// one, and below it the force. Where the wall holds nothing it is not drawn.
+// A profile over time, in the style of Alamilla 2018: the tip's depth below the skin with the wall if the model has
+// one, and below it the force. The wall is not drawn while it exerts no force.
 std::vector<Plot> profile_against_time(const study::Profile& profile, const anatomy::TissueLibrary& library);
 
 }  // namespace bodkin::report

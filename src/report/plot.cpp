@@ -27,7 +27,7 @@ constexpr double key_row = 19.0;
 constexpr double key_sample = 40.0;  // the piece of line before a name in the key
 constexpr double mark_row = 19.0;
 constexpr double mark_radius = 7.5;
-constexpr double longest_name = 270.0;  // that gets room above and beside the plot
+constexpr double longest_name = 270.0;  // that gets space above and beside the plot
 constexpr double names_slant = 50.0;    // deg
 constexpr double names_apart = 19.0;    // between slanted names
 constexpr double names_lift = 16.0;     // from the plot to the names: the leaders' height
@@ -55,7 +55,7 @@ struct AxisRange {
   }
 };
 
-// Positions as near to `wanted` (ascending) as possible, at least `apart` from each other (pool adjacent violators).
+// Positions as near as possible to `wanted` (ascending), at least `apart` from each other (pool adjacent violators).
 std::vector<double> spread(const std::vector<double>& wanted, double apart) {
   struct Block {
     double sum;
@@ -125,7 +125,7 @@ class PlotArtist {
   // px
   double height() const { return height_; }
   double right_edge() const { return right_edge_; }
-  // Ends the plotting area further to the left, so that plots below each other share their x axis.
+  // Ends the plotting area farther to the left, so that stacked plots share their x axis.
   void end_at(double right_edge) {
     right_edge_ = right_edge;
     groups_ = group_marks();
@@ -166,7 +166,7 @@ class PlotArtist {
     y_ = with_headroom(y_);
     right_ = with_headroom(right_);
 
-    // Slanted names need room above the plot, and on its right for those that lean over the edge.
+    // Slanted names need space above the plot, and on its right for those that lean over the edge.
     double slanted = 0.0;
     for (const PlotBand& band : bands_) slanted = std::max(slanted, imaging::text_width(band.name, small_text));
     slanted = std::min(slanted, longest_name);
@@ -182,7 +182,7 @@ class PlotArtist {
     canvas_.set_size(width, height_);
   }
 
-  // There is a key when more than one series or range has a name, or the plot names a single one. Its columns are as
+  // There is a key if more than one series or range has a name, or the plot names a single one. Its columns are as
   // wide as the longest name.
   void measure_key() {
     double longest = 0.0;
@@ -277,7 +277,7 @@ class PlotArtist {
       canvas_.fill(imaging::Path::rectangle(px_x(band.from), top_, px_x(band.to) - px_x(band.from), plot_.height),
                    {band.colour, band_opacity});
       if (band.name.empty()) continue;
-      // A narrow band of a colour that already has its name goes without.
+      // A narrow band of a colour that is already named gets no name.
       const bool known = std::find(names.begin(), names.end(), band.name) != names.end();
       if (known && px_x(band.to) - px_x(band.from) < wide_band) continue;
       names.push_back(band.name);
@@ -324,7 +324,7 @@ class PlotArtist {
     return {series.colour, series.width, series.dash};
   }
 
-  // Dots that would cover each other are one dot.
+  // Overlapping dots are merged into one.
   std::vector<PlotMark> group_marks() const {
     std::vector<PlotMark> groups;
     for (const PlotMark& mark : plot_.marks) {
@@ -357,7 +357,7 @@ class PlotArtist {
     }
   }
 
-  // Without the points on straight lines between others, as far as can be seen; cut off where the axes end.
+  // Without points visibly on straight lines between others; clipped to the axes.
   void series() {
     imaging::Canvas area(right_edge_ - left_margin, plot_.height);
     for (const PlotRange& range : plot_.ranges) {

@@ -13,7 +13,7 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-// Of a point from the stretch between two others.
+// Distance of a point from the segment between two others.
 double distance(const Point& point, const Point& from, const Point& to) {
   const double length = distance(from, to);
   if (length == 0.0) return distance(point, from);

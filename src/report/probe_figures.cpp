@@ -11,14 +11,14 @@ namespace bodkin::report {
 
 namespace {
 
-constexpr double face_step = 0.5;            // mm between the points of the drawn way: no trembling
+constexpr double face_step = 0.5;            // mm between the points of the drawn way, to smooth trembling
 constexpr double panel_pixels = 620.0;       // of a panel, along a side
-constexpr double room_about = 8.0;           // mm about what the probe shows
+constexpr double room_about = 8.0;           // mm around the probe's view
 constexpr double largest_side = 260.0;       // mm
 constexpr double unknown_half_width = 20.0;  // mm, of a slice without edges
 constexpr double beyond_target = 15.0;       // mm, of the same
 
-Vec3 marked_side(const training::ProbeMoment& probe) {
+Vec3 marked_side(const training::ProbeState& probe) {
   return probe.into.cross(probe.normal);
 }
 
@@ -29,26 +29,26 @@ ProbeFigures::ProbeFigures(const session::Session& session)
   if (!session.ticks.empty()) start_ = static_cast<double>(session.ticks.front().tick) * session.header.dt;
 }
 
-const training::ProbeMoment& ProbeFigures::at(double time) const {
+const training::ProbeState& ProbeFigures::at(double time) const {
   const auto after =
       std::upper_bound(track_.begin(), track_.end(), time + start_,
-                       [](double wanted, const training::ProbeMoment& probe) { return wanted < probe.time; });
+                       [](double wanted, const training::ProbeState& probe) { return wanted < probe.time; });
   return after == track_.begin() ? track_.front() : *(after - 1);
 }
 
-std::vector<Vec3> ProbeFigures::way_of_face() const {
-  std::vector<Vec3> way;
-  for (const training::ProbeMoment& probe : track_)
-    if (way.empty() || (probe.face - way.back()).norm() >= face_step) way.push_back(probe.face);
-  return way;
+std::vector<Vec3> ProbeFigures::face_path() const {
+  std::vector<Vec3> path;
+  for (const training::ProbeState& probe : track_)
+    if (path.empty() || (probe.face - path.back()).norm() >= face_step) path.push_back(probe.face);
+  return path;
 }
 
 std::string ProbeFigures::sentence(const training::Score& score) const {
-  const training::ProbeMoment& first = track_.front();
+  const training::ProbeState& first = track_.front();
   double moved = 0.0, turned = 0.0;
-  const std::vector<Vec3> face = way_of_face();
+  const std::vector<Vec3> face = face_path();
   for (std::size_t i = 1; i < face.size(); ++i) moved += (face[i] - face[i - 1]).norm();
-  for (const training::ProbeMoment& probe : track_) {
+  for (const training::ProbeState& probe : track_) {
     Mat3 then, now;
     then << marked_side(first), first.into, first.normal;
     now << marked_side(probe), probe.into, probe.normal;
@@ -77,7 +77,7 @@ std::string ProbeFigures::sentence(const training::Score& score) const {
   return text;
 }
 
-std::vector<Vec3> ProbeFigures::outline(const training::ProbeMoment& probe) const {
+std::vector<Vec3> ProbeFigures::outline(const training::ProbeState& probe) const {
   const Vec3 across = marked_side(probe);
   std::vector<Vec3> border;
   if (const auto& machine = session_.header.ultrasound) {
@@ -96,13 +96,13 @@ std::vector<imaging::SlicePanel> ProbeFigures::panels(const anatomy::Case& patie
                                                       const std::vector<Vec3>& travelled) const {
   std::vector<imaging::SlicePanel> panels;
   for (const Moment& moment : moments) {
-    const training::ProbeMoment& probe = at(moment.time);
+    const training::ProbeState& probe = at(moment.time);
     imaging::SlicePanel panel;
     panel.outline = outline(probe);
     panel.path = session_.header.path;
     panel.travelled = travelled;
     panel.title = "slice of the probe " + moment.words;
-    // A square about what it shows, with the planned path.
+    // A square around its content, with the planned path.
     imaging::SlicePlane& plane = panel.slice.plane;
     plane.right = marked_side(probe);
     plane.down = probe.into;
@@ -127,8 +127,8 @@ std::vector<imaging::SlicePanel> ProbeFigures::panels(const anatomy::Case& patie
   return panels;
 }
 
-ProbeWay ProbeFigures::way(double time) const {
-  return {.face = way_of_face(), .slice = outline(at(time))};
+ProbePath ProbeFigures::path(double time) const {
+  return {.face = face_path(), .slice = outline(at(time))};
 }
 
 }  // namespace bodkin::report

@@ -20,7 +20,7 @@ training::Score score_for_report(const session::Session& session, const anatomy:
                                  const training::Procedure& procedure, const training::ExpertSet* experts) {
   const anatomy::CaseDescription description = training::description_of(session);
   const std::optional<training::RecordedPatient> kept = training::kept_patient(session);
-  // Voxels of another patient than the recorded one say nothing about what the needle met.
+  // Voxels of a patient other than the recorded one do not show the tissues met by the needle.
   const training::PatientVolumes of_case =
       changed ? training::PatientVolumes{} : training::PatientVolumes{&patient.structures, &patient.tissues};
   return training::score(session, description, procedure, kept ? kept->volumes() : of_case, experts);

@@ -28,14 +28,14 @@ constexpr double travel_step = 0.2;            // mm between the points of the d
 constexpr double shown_before_contact = 12.0;  // mm of the path in air that is drawn
 constexpr std::size_t most_events = 300;       // rows of the table of events
 
-// The name of a procedure or structure as people write it: "lumbar_puncture" becomes "Lumbar puncture".
+// The name of a procedure or structure for people: "lumbar_puncture" becomes "Lumbar puncture".
 std::string spoken(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name;
 }
 
-// JSON on lines of its own; what is no JSON stays as it is.
+// JSON on separate lines; other text is unchanged.
 std::string indented(const std::string& text) {
   const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
   return json.is_discarded() ? text : json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -48,7 +48,7 @@ std::string spread(std::span<const session::TimeBin> bins) {
                      1e6 * session::percentile(bins, 1.0));
 }
 
-// A cell of a number with so many digits behind the point.
+// A cell with a number with so many digits after the point.
 Table::Cell number(double value, int digits) {
   return {fmt::format("{:.{}f}", value, digits)};
 }
@@ -98,11 +98,11 @@ class ReportWriter {
     add(std::move(verdict));
     remark(fmt::format("Judged as {}.", score_.title));
     if (case_changed_) {
-      remark("The case on disk has changed since the recording; slices and tissues show what it is now.");
+      remark("The case on disk has changed since the recording; slices and tissues show its present state.");
     }
   }
 
-  // A few measures that say most; measures() has them all.
+  // The most important measures; measures() has them all.
   void tiles() {
     Tiles tiles;
     for (const char* name :
@@ -123,10 +123,10 @@ class ReportWriter {
     heading("Among experts");
     const auto outside =
         std::count_if(rows.begin(), rows.end(), [](const ExpertRow& row) { return !row.is_within(); });
-    remark(
-        fmt::format("Of {} measures that the procedure judges, {} lie where nine of ten experts' do ({} attempts of "
-                    "experts).",
-                    rows.size(), rows.size() - static_cast<std::size_t>(outside), score_.experts));
+    remark(fmt::format(
+        "Of {} measures that the procedure judges, {} lie within the range of nine of ten experts ({} attempts of "
+        "experts).",
+        rows.size(), rows.size() - static_cast<std::size_t>(outside), score_.experts));
     figure(draw_expert_band(rows), "Each judged measure as a dot on the band of the experts' middle nine tenths");
   }
 
@@ -187,8 +187,8 @@ class ReportWriter {
     if (const auto experts = expert_range()) {
       plot.ranges.push_back(*experts);
       remark(
-          fmt::format("Behind the curve: between the least and the greatest resistance that {} attempts of the "
-                      "simulated expert meet on the way in, on this patient, with this path and these force models.",
+          fmt::format("Band behind the curve: from the least to the greatest resistance of {} attempts of the "
+                      "simulated expert on the way in, on this patient, with this path and these force models.",
                       expert_attempts));
     }
     figure(draw_plot(plot), "Resistance against depth, with the tissues as coloured bands");
@@ -196,7 +196,7 @@ class ReportWriter {
     if (!published.empty()) figure(draw_plots(published), "What the force models published, against depth");
   }
 
-  // Depths of the hand alone can be compared, and only on the patient as the session had it.
+  // Only depths of the hand can be compared, and only on the session's original patient.
   std::optional<PlotRange> expert_range() const {
     if (case_changed_ || depth_ == PlottedDepth::material || score_.expert.empty()) return std::nullopt;
     return expert_forces(patient_, session_.header, score_.expert);
@@ -233,17 +233,16 @@ class ReportWriter {
     figure(imaging::slice_picture(panels, patient_.library, "", panel_height),
            "Sagittal and axial slices with the planned path and the path of the tip", true);
     const ProbeFigures probe(session_);
-    const ProbeWay way = probe.empty() ? ProbeWay{} : probe.way(end_of_way());
-    figure(cut_open_picture(patient_, path, tip, relief_width, relief_height, way),
-           probe.empty()
-               ? "The patient in 3-D, cut open along the planned path, with the path of the tip"
-               : "The patient in 3-D, cut open along the planned path, with the path of the tip, the way of "
-                 "the ultrasound probe and its slice",
+    const ProbePath probe_path = probe.empty() ? ProbePath{} : probe.path(time_of_final_position());
+    figure(cut_open_picture(patient_, path, tip, relief_width, relief_height, probe_path),
+           probe.empty() ? "The patient in 3-D, cut open along the planned path, with the path of the tip"
+                         : "The patient in 3-D, cut open along the planned path, with the path of the tip, the path "
+                           "of the ultrasound probe and its slice",
            true);
   }
 
   // s since the first tick: of the final position, or of the last tick.
-  double end_of_way() const {
+  double time_of_final_position() const {
     const std::size_t tick = score_.final_tip ? score_.final_tip->tick : session_.ticks.size() - 1;
     return static_cast<double>(session_.ticks[tick].tick - session_.ticks.front().tick) * session_.header.dt;
   }
@@ -262,7 +261,7 @@ class ReportWriter {
       moments.push_back({time, fmt::format("at {:.1f} s, when the needle touched the skin", time)});
       break;
     }
-    const double end = end_of_way();
+    const double end = time_of_final_position();
     const bool rested = score_.final_tip && score_.final_tip->is_rest;
     moments.push_back({end, fmt::format("at {:.1f} s, {}", end,
                                         rested             ? "when the tip came to rest"
@@ -276,7 +275,7 @@ class ReportWriter {
   }
 
   void course() {
-    heading("In the course of time");
+    heading("Over time");
     figure(draw_plot(force_and_depth_against_time(session_.ticks, session_.header.dt)),
            "Resistance and depth against time");
     figure(draw_plot(energy_against_time(session_.ticks, session_.header.dt)),
@@ -320,7 +319,7 @@ class ReportWriter {
 
   void distances() {
     if (score_.distances.empty()) return;
-    heading("How near it came to what must not be entered");
+    heading("Distances to what must not be entered");
     Table table{{{"what"}, {"least distance, mm", true}, {"at, s", true}, {"depth, mm", true}}, {}, false};
     for (const training::ForbiddenDistance& each : score_.distances) {
       if (each.closest) {
@@ -356,11 +355,11 @@ class ReportWriter {
 
   void provenance() {
     const session::SessionHeader& header = session_.header;
-    heading("Where this comes from");
+    heading("Recording and settings");
     Facts facts;
     const auto row = [&](const char* what, std::string value) { facts.facts.push_back({what, std::move(value)}); };
     row("case", header.case_folder);
-    row("fingerprint of the case", header.case_digest);
+    row("digest of the case", header.case_digest);
     const io::ForceTexts forces = io::force_texts(header.haptics);
     row("resistance", forces.resistance);
     row("constraint", forces.constraint);
@@ -371,14 +370,14 @@ class ReportWriter {
     if (header.second) {
       row("second hand", fmt::format("{} {}", session::name_of(header.second->role), header.second->device));
     }
-    if (!header.moving_body.empty()) row("body that moved on its own time", header.moving_body);
+    if (!header.moving_body.empty()) row("moving body", header.moving_body);
     row("seed", std::to_string(header.seed));
     row("recorded", header.started_at);
     row("length", fmt::format("{} ticks of {:g} ms", session_.ticks.size(), 1000.0 * header.dt));
     if (session_.timings) {
       const session::SessionTimings& timings = *session_.timings;
-      row("kept its time",
-          fmt::format("{} of {} rounds late; lateness {}; a round took {}", timings.overruns,
+      row("timing of the ticks",
+          fmt::format("{} of {} ticks late; lateness {}; a tick took {}", timings.overruns,
                       session::count_of(timings.compute), spread(timings.lateness), spread(timings.compute)));
     }
     row("complete", session_.finished ? "yes" : "no, the recording broke off; this is what was saved");

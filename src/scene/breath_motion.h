@@ -7,15 +7,15 @@
 
 namespace bodkin::scene {
 
-// How breath has moved the patient who is drawn; by default not at all.
+// Displacement of the displayed patient by breathing; by default none.
 struct BreathMotion {
   std::optional<anatomy::BreathField> field = {};
   double drawn_in = 0.0;  // 0 to 1
 
   bool moves() const { return field.has_value() && drawn_in > 0.0; }
-  // mm, of what lies at `rest` (LPS mm) when the patient has breathed out.
+  // mm, displacement of the point `rest` (LPS mm after expiration).
   Vec3 of(const Vec3& rest) const { return moves() ? field->moved(rest, drawn_in) : Vec3(Vec3::Zero()); }
-  // LPS mm, where what now is at `place` lies when the patient has breathed out.
+  // LPS mm, position after expiration of the point now at `place`.
   Vec3 at_rest(const Vec3& place) const { return moves() ? field->material(place, drawn_in) : place; }
 };
 

@@ -23,7 +23,7 @@ Camera standard_view(StandardView view, const ViewSubject& subject) {
     case StandardView::operator_side: {
       const Vec3 out = -subject.direction;
       const Vec3 side = std::abs(out.dot(head)) < 0.9 ? Vec3(out.cross(head).normalized()) : Vec3::UnitX();
-      // To the patient's left, where the operator of a picture in the books sits.
+      // To the patient's left, the operator's place in textbook pictures.
       const Vec3 left = side.x() >= 0.0 ? side : Vec3(-side);
       from = (std::cos(beside_needle) * out + std::sin(beside_needle) * left).normalized() +
              std::tan(above_needle) * head;
@@ -79,7 +79,7 @@ Camera panned(const Camera& camera, double right, double down, int height) {
 Camera zoomed(const Camera& camera, double factor, const Vec3& place) {
   const double distance = std::clamp(camera.distance() / factor, least_distance, most_distance);
   const double kept = distance / camera.distance();
-  // Everything shrinks towards `place`, which so stays where it is in the picture.
+  // Everything shrinks towards `place`, which thus stays in place in the image.
   Camera result = camera;
   result.focus = place + kept * (camera.focus - place);
   result.eye = place + kept * (camera.eye - place);

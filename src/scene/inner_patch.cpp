@@ -12,7 +12,7 @@ constexpr double fading_inside = 8.0;  // mm
 
 using InnerTriangle = std::array<std::int32_t, 3>;
 
-// How far a point lies within the cylinder about the needle's line, mm; negative: outside.
+// Depth of a point within the cylinder about the needle's line, mm; negative: outside.
 double within_cylinder(const Vec3& point, const Vec3& entry, const Vec3& direction) {
   const Vec3 from = point - entry;
   const double along = from.dot(direction);
@@ -104,7 +104,7 @@ void InnerPatch::deform(std::span<const float> displacements, const BreathMotion
   }
 }
 
-// Normals change as those of the faces do, so that a surface at rest keeps its smooth ones.
+// Normals change by the changes of the faces' normals, so that a surface at rest keeps its smooth ones.
 void InnerPatch::turn_normals(Part& part) const {
   std::vector<Eigen::Vector3f> rest;
   rest.reserve(part.mesh.points.size());

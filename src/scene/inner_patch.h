@@ -11,18 +11,17 @@
 
 namespace bodkin::scene {
 
-// The surfaces inside the patient that a deformable body moves with it: those triangles of tissues and organs that
-// lie near the needle's line. Bones stand still, and so does all that is further away; between, displacements fade
-// out.
+// The surfaces inside the patient that move with a deformable body: the triangles of tissues and organs near the
+// needle's line. Bones and everything farther away stand still; in between, displacements fade out.
 class InnerPatch {
  public:
   // Of one of the patient's surfaces.
   struct Part {
     std::size_t surface = 0;                                   // its index in PatientSurfaces::parts
-    SceneMesh mesh;                                            // as it is now
+    SceneMesh mesh;                                            // at present
     std::vector<SurfaceSection> sections;                      // of mesh.triangles
-    std::vector<SurfaceSection> around;                        // of the same names, of still_triangles
-    std::vector<std::array<std::int32_t, 3>> still_triangles;  // of the surface, which this part does not replace
+    std::vector<SurfaceSection> around;                        // of the same names, in still_triangles
+    std::vector<std::array<std::int32_t, 3>> still_triangles;  // of the surface, not replaced by this part
     std::size_t first = 0;                                     // of its points in rest()
   };
 
@@ -34,10 +33,10 @@ class InnerPatch {
   const std::vector<Part>& parts() const { return parts_; }
   // The part of a surface; null: all of it stands still.
   const Part* part_of(std::size_t surface) const;
-  // At rest, LPS mm: where displacements of a deformable body are wanted.
+  // At rest, LPS mm: the points whose displacements are required.
   const std::vector<Vec3>& rest() const { return rest_; }
 
-  // `displacements`: mm, x y z of every point of rest() in turn; of another length: all at rest. Then all moves with
+  // `displacements`: mm, x y z of every point of rest(); any other length: all at rest. Then everything moves with
   // `breath`.
   void deform(std::span<const float> displacements, const BreathMotion& breath = {});
 
@@ -49,7 +48,7 @@ class InnerPatch {
   std::vector<Part> parts_;
   std::vector<Vec3> rest_;
   std::vector<Eigen::Vector3f> rest_normals_;
-  std::vector<float> share_;  // of a displacement that a point follows
+  std::vector<float> share_;  // fraction of a displacement followed by a point
 };
 
 }  // namespace bodkin::scene

@@ -4,7 +4,7 @@
 
 namespace bodkin::scene {
 
-// Of the VTK that this program runs with: "9.1.0".
+// The version of the VTK in use: "9.1.0".
 std::string vtk_version();
 
 }  // namespace bodkin::scene

@@ -71,7 +71,7 @@ NamedLook look_from(const io::XmlElement& element, const std::string& origin) {
     const std::string& name = named.look.changed.back().name;
     if (!names.insert(name).second) {
       io::fail_at(origin, child.line,
-                  fmt::format("part {} stands twice in one look; leave one of them out", io::in_quotes(name)));
+                  fmt::format("part {} appears twice in one look; leave one of them out", io::in_quotes(name)));
     }
   }
   return named;

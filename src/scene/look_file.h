@@ -10,7 +10,7 @@
 
 namespace bodkin::scene {
 
-// A look that was saved with a case, perhaps with the direction that the patient is seen from.
+// A look saved with a case, optionally with its direction of view.
 struct NamedLook {
   std::string name;  // 1 to 100 characters
   Look look;
@@ -18,14 +18,14 @@ struct NamedLook {
 };
 
 struct CaseLooks {
-  std::string opens_with;  // the name of the look that the case opens with; empty: none
+  std::string opens_with;  // name of the case's initial look; empty: none
   std::vector<NamedLook> looks;
 
   const NamedLook* find(std::string_view name) const;
 };
 
-// looks.xml in a case's folder (docs/case-format.md). None where there is no such file. Throws InputError with file,
-// line and what is wrong.
+// looks.xml in a case's folder (docs/case-format.md). Empty if it does not exist. Throws InputError with file, line
+// and error.
 CaseLooks read_looks(const std::filesystem::path& folder);
 // Throws SystemError where the folder cannot be written.
 void write_looks(const CaseLooks& looks, const std::filesystem::path& folder);

@@ -8,8 +8,8 @@
 
 namespace bodkin::scene {
 
-// Triangles as the picture needs them, LPS mm, in single precision: all arrays of points have one length. The corners
-// of a triangle run counterclockwise seen from outside.
+// Triangles for display, LPS mm, in single precision: all arrays of points have one length. The corners of a triangle
+// run counterclockwise seen from outside.
 struct SceneMesh {
   std::vector<Eigen::Vector3f> points;
   std::vector<Eigen::Vector3f> normals;  // of points, unit, outwards

@@ -10,27 +10,27 @@
 
 namespace bodkin::scene {
 
-// The few pixels of a frame that needles and marks cover. They are collected first, so that strokes which meet in a
-// pixel are mixed with each other and only then, once, with the patient.
+// The few pixels of a frame covered by needles and marks. They are collected first, so that overlapping strokes are
+// blended with each other and only then, once, with the patient.
 class MovingPixels {
  public:
   MovingPixels(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  // Over what was added before at pixel (x, y), which must be inside. `opacity`: 0 to 1, with the share of the pixel
-  // that is covered; `behind`: factor on it where the patient is in front.
+  // Blends over earlier additions at pixel (x, y), which must be inside. `opacity`: 0 to 1, including the covered
+  // fraction of the pixel; `behind`: factor on it where the patient is in front.
   void add(int x, int y, float nearness, std::uint32_t colour, float opacity, float behind);
-  // Mixes all into `picture`, whose pixels are otherwise those of `still`, after it has taken back those of the last
-  // call. Returns the box of all pixels that were written.
+  // Blends everything into `picture`, whose other pixels are those of `still`, after undoing the last call. Returns
+  // the box of all pixels written.
   PixelBox show(const StillLayers& layers, const Picture& still, Picture& picture);
 
-  // See add(); of several things at one pixel, mixed.
+  // See add(); the blend of several at one pixel.
   struct Fragment {
     float nearness = 0.0F, opacity = 0.0F, behind = 0.0F;
     std::uint32_t colour = 0;
   };
-  // For a picture without layers: calls take(x, y, fragment) for every pixel since the last call, and forgets them.
+  // For an image without layers: calls take(x, y, fragment) for every pixel since the last call, and forgets them.
   template <typename Take>
   void take_all(const Take& take) {
     for (const Pixel& pixel : covered_) {

@@ -13,7 +13,7 @@ namespace {
 constexpr int directions = 40;
 constexpr double seen_within = 17.0, seen_step = 1.7;  // mm [D]
 
-// A spiral over the hemisphere about z, denser towards the pole, so that every direction has the same weight.
+// A spiral over the hemisphere about z, denser towards the pole, for equal weights of all directions.
 std::array<Vec3, directions> hemisphere() {
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   std::array<Vec3, directions> spiral;
@@ -25,7 +25,7 @@ std::array<Vec3, directions> hemisphere() {
   return spiral;
 }
 
-// Every point takes the mean of itself and its neighbours: 40 directions are few.
+// Every point gets the mean of itself and its neighbours, because 40 directions are few.
 void even_out(SceneMesh& mesh) {
   std::vector<float> sum = mesh.openness;
   std::vector<float> count(sum.size(), 1.0F);

@@ -7,7 +7,7 @@
 
 namespace bodkin::scene {
 
-// Where a ray meets a surface.
+// The intersection of a ray and a surface.
 struct SurfacePoint {
   Vec3 point = Vec3::Zero();    // LPS mm
   Vec3 normal = Vec3::UnitZ();  // unit, outwards, interpolated between the points of the triangle
@@ -15,8 +15,8 @@ struct SurfacePoint {
   Vec3 weights = Vec3::Zero();  // of its corners; their sum is 1
 };
 
-// The first place where the ray goes into the surface; triangles seen from behind are passed through. 18000 triangles
-// take 0.1 ms.
+// The first point at which the ray enters the surface; triangles seen from behind are ignored. 18000 triangles take
+// 0.1 ms.
 std::optional<SurfacePoint> first_hit(const SceneMesh& mesh, const ViewRay& ray);
 
 }  // namespace bodkin::scene

@@ -7,12 +7,12 @@
 
 namespace bodkin::scene {
 
-// What is shown of the patient.
+// The visible parts of the patient.
 enum class Preset : std::uint8_t {
   skin,        // the outside
-  cut_away,    // the skin with an opening about the path, inside all that a needle can meet
-  bones,       // bones and what lies between them
-  see_through  // all of it under a faint skin
+  cut_away,    // the skin with an opening about the path, inside everything that a needle can meet
+  bones,       // bones and the structures between them
+  see_through  // everything under a faint skin
 };
 
 inline constexpr Preset presets[] = {Preset::skin, Preset::cut_away, Preset::bones, Preset::see_through};
@@ -22,7 +22,7 @@ constexpr std::string_view name_of(Preset preset) {
   return names[static_cast<std::size_t>(preset)];
 }
 
-// 0: the skin is not drawn, 1: nothing behind it is seen; within the opening of a cut-away it is 0.
+// 0: the skin is not drawn, 1: it hides everything behind it; 0 within the opening of a cut-away.
 constexpr float skin_opacity(Preset preset) {
   constexpr float opacities[] = {1.0F, 1.0F, 0.0F, 0.15F};
   return opacities[static_cast<std::size_t>(preset)];

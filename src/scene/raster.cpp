@@ -32,7 +32,7 @@ BODKIN_LANES_INLINE bool set_up(const ScreenPoint& a, const ScreenPoint& b, cons
   if (!(a.nearness > 0.0F && b.nearness > 0.0F && c.nearness > 0.0F)) return false;
   const float low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
   const float low_y = std::min({a.y, b.y, c.y}), high_y = std::max({a.y, b.y, c.y});
-  // Also false where a coordinate is not a number; and before the conversion to whole numbers, which could overflow.
+  // False also for NaN; tested before the conversion to integers, which could overflow.
   const bool seen = high_x > static_cast<float>(box.left) && low_x < static_cast<float>(box.right) &&
                     high_y > static_cast<float>(box.top) && low_y < static_cast<float>(box.bottom);
   if (!seen) return false;
@@ -44,7 +44,7 @@ BODKIN_LANES_INLINE bool set_up(const ScreenPoint& a, const ScreenPoint& b, cons
   setup.box.top = std::max(box.top, static_cast<int>(std::ceil(low_y - 0.5F)));
   setup.box.bottom = std::min(box.bottom, static_cast<int>(std::floor(high_y - 0.5F)) + 1);
   if (setup.box.empty()) return false;
-  // Twice the area; y runs down, so that corners which run counterclockwise on the screen give a negative one.
+  // Twice the area; y points down, so that counterclockwise corners on the screen give a negative one.
   float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   const bool front = area < 0.0F;
   if (area == 0.0F || (front_only && !front)) return false;

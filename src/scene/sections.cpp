@@ -11,13 +11,12 @@ namespace bodkin::scene {
 
 namespace {
 
-// mm below the middle of a triangle at which its structure is looked for, the first one found counts; last above it,
-// for surfaces that smoothing has moved inwards.
+// mm below the middle of a triangle searched for its structure, the first found counts; lastly above it, for surfaces
+// moved inwards by smoothing.
 constexpr std::array<double, 5> depths_of_search = {0.5, 1.5, 3.0, -0.7, -1.5};
 constexpr std::size_t fewest_triangles = 20;  // of a section: less is left with the rest
 
-// What a structure must be made of for a surface to be its outside; one whose tissue is decided by HU may be
-// anything.
+// Required tissue of a structure for a surface to be its outside; a structure with tissue by HU may be any.
 std::span<const std::string_view> tissues_of(std::string_view surface) {
   static constexpr std::array<std::string_view, 3> bone = {"bone", "cortical_bone", "cancellous_bone"};
   static constexpr std::array<std::string_view, 5> others = {"disc", "cartilage", "metal", "vessel", "organ"};

@@ -17,7 +17,7 @@ using SideOfTwo = std::pair<std::int32_t, std::int32_t>;
 
 constexpr double fading =
     10.0;  // mm, over which displacements fade out, since the skin around the patch stands still
-constexpr double searched = 40.0;  // mm before and behind the entry in which the skin is looked for
+constexpr double searched = 40.0;  // mm before and behind the entry, searched for the skin
 
 std::size_t index_of(std::int32_t i) {
   return static_cast<std::size_t>(i);
@@ -27,12 +27,12 @@ SideOfTwo edge(std::int32_t a, std::int32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// mm, wished at a distance from the needle.
+// mm, desired edge at a distance from the needle.
 double edge_length(double distance) {
   return std::max(0.8, 0.16 * distance);
 }
 
-// f for a point `from` the place where the needle meets the skin at rest, and its gradient (1/mm).
+// f at `from`, relative to the needle's entry into the skin at rest, and its gradient (1/mm).
 struct Dent {
   double shape = 0.0;
   Vec3 gradient = Vec3::Zero();
@@ -59,7 +59,7 @@ SkinPatch::SkinPatch(const SceneMesh& skin, const Vec3& entry, const Vec3& direc
   std::vector<bool> near(skin.points.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
     near[i] = (skin.points[i].cast<double>() - middle->point).norm() < radius &&
-              skin.normals[i].cast<double>().dot(middle->normal) > 0.0;  // not the other side of something thin
+              skin.normals[i].cast<double>().dot(middle->normal) > 0.0;  // not the opposite side of a thin part
   }
   const auto take = [&](std::int32_t old) {
     std::int32_t& known = index[index_of(old)];
@@ -101,7 +101,7 @@ SkinPatch::SkinPatch(const SceneMesh& skin, const Vec3& entry, const Vec3& direc
   rest_normals_ = mesh_.normals;
 }
 
-// A dent ends before the border, where the skin around the patch stands still.
+// A dent ends before the border, beyond which the skin does not move.
 void SkinPatch::find_reach(const Vec3& middle) {
   std::map<SideOfTwo, int> count;
   for (const SkinTriangle& corners : mesh_.triangles) {
@@ -116,7 +116,7 @@ void SkinPatch::find_reach(const Vec3& middle) {
   }
 }
 
-// Halves edges that are too long, all that three neighbours share alike, until none is; the border stays as it is.
+// Halves edges that are too long, consistently between neighbours, until none is; the border is unchanged.
 void SkinPatch::divide(const Vec3& middle) {
   for (int round = 0; round < 6; ++round) {
     std::map<SideOfTwo, int> count;
@@ -145,7 +145,7 @@ void SkinPatch::divide(const Vec3& middle) {
         half[c] = found == halves.end() ? -1 : found->second;
         cut += half[c] < 0 ? 0 : 1;
       }
-      // Turned so that the first edge is cut, and with two the last one is not.
+      // Rotated so that the first edge is cut, and of two cut edges the last one is not.
       std::size_t first = 0;
       while (cut > 0 && (half[first] < 0 || (cut == 2 && half[(first + 2) % 3] >= 0))) ++first;
       const std::int32_t a = corners[first % 3], b = corners[(first + 1) % 3], c = corners[(first + 2) % 3];
@@ -185,7 +185,7 @@ void SkinPatch::deform(const SkinDent& dent, std::span<const float> displacement
     return Vec3(Eigen::Map<const Eigen::Vector3f>(displacements.data() + 3 * i).cast<double>());
   };
   // The drawn surface and the tissues meet the needle's line at places that differ by parts of a voxel, and a body's
-  // displacements are coarser than a dent: what is missing at the needle is the dent.
+  // displacements are coarser than a dent: the dent is the difference at the needle.
   Vec3 dip = Vec3::Zero();
   if (dent.depth != 0.0) dip = dent.entry + dent.depth * along - rest_[bottom_];
   if (dent.depth != 0.0 && moved) dip -= moved_by(bottom_);

@@ -12,41 +12,41 @@
 
 namespace bodkin::scene {
 
-// How a needle deforms the skin where it goes in.
+// Deformation of the skin by a needle at its entry.
 struct SkinDent {
-  Vec3 entry = Vec3::Zero();        // LPS mm, where the needle met the skin at rest
+  Vec3 entry = Vec3::Zero();        // LPS mm, on the skin at rest
   Vec3 direction = -Vec3::UnitY();  // unit, into the body
-  double depth = 0.0;               // mm that the skin at the needle has moved along `direction`; negative: drawn out
+  double depth = 0.0;               // mm, motion of the skin at the needle along `direction`; negative: outwards
 };
 
 // The skin about a point, cut out of its surface and divided finely enough to show a dent of a few mm: edges of 0.8
 // mm at the point, unchanged ones at the border, 32 mm away.
 //
 // A dent moves each point by depth f(r) along the needle, r its distance from the needle's line. The surface of an
-// elastic half-space sinks as 1 / r about a point load (Boussinesq); here f = 1 / sqrt(1 + (r / w)^2), which is that
-// away from the needle and finite at it, times (1 - (d / R)^2)^2 with d the distance from the point at rest, which
-// lets it end before the border of the patch. w = 3 mm. [D] At the needle f is 1: the bottom of the dent is where the
-// force model has it.
+// elastic half-space sinks as 1 / r about a point load (Boussinesq); here f = 1 / sqrt(1 + (r / w)^2), which agrees
+// with that away from the needle and is finite at it, times (1 - (d / R)^2)^2 with d the distance from the point at
+// rest, which makes it end before the border of the patch. w = 3 mm. [D] At the needle f is 1: the bottom of the dent
+// is at the depth of the force model.
 class SkinPatch {
  public:
   SkinPatch() = default;
-  // About the place where the line through `entry` along `direction` meets the skin; if it does not, nothing is cut.
+  // About the point where the line through `entry` along `direction` meets the skin; without one, nothing is cut.
   SkinPatch(const SceneMesh& skin, const Vec3& entry, const Vec3& direction);
 
   bool empty() const { return mesh_.empty(); }
   const Vec3& entry() const { return entry_; }
-  // Triangles of the skin that the patch does not replace.
+  // Triangles of the skin not replaced by the patch.
   const std::vector<std::array<std::int32_t, 3>>& around() const { return around_; }
-  // The patch as it is now.
+  // The patch at present.
   const SceneMesh& mesh() const { return mesh_; }
-  // At rest, LPS mm: where displacements of a deformable body are wanted.
+  // At rest, LPS mm: the points whose displacements are required.
   const std::vector<Vec3>& rest() const { return rest_; }
-  // The point that the last dent brought to the needle's tip: its index in mesh().points.
+  // The point moved to the needle's tip by the last dent: its index in mesh().points.
   std::size_t bottom() const { return bottom_; }
 
-  // `displacements`: of a deformable body, mm, x y z of every point of rest() in turn; or empty. A dent is added to
-  // them, about the point that is nearest to its entry; depth 0 and no displacements are the skin at rest. All of it
-  // is of a patient who has breathed out, and then moves with `breath`.
+  // `displacements`: of a deformable body, mm, x y z of every point of rest(); or empty. A dent is added to them,
+  // about the point nearest to its entry; depth 0 and no displacements are the skin at rest. All of it refers to the
+  // patient after expiration, and then moves with `breath`.
   void deform(const SkinDent& dent, std::span<const float> displacements = {}, const BreathMotion& breath = {});
 
   static constexpr double radius = 32.0;     // mm

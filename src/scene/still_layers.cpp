@@ -41,7 +41,7 @@ float opacity_of(std::uint32_t colour) {
   return static_cast<float>(colour >> 24U) * (1.0F / 255.0F);
 }
 
-// The one that a place lies in.
+// The section that contains a place.
 template <typename Number>
 PixelBox sample_box(Number right, Number down) {
   const auto limit = static_cast<Number>(1e6);
@@ -50,7 +50,7 @@ PixelBox sample_box(Number right, Number down) {
   return {x, y, x + 1, y + 1};
 }
 
-// Of samples that the points of a patch come to.
+// Bounding box in samples of a patch's points.
 PixelBox box_of(const InnerPatch& inner, const Projection& projection) {
   PixelBox box;
   for (const InnerPatch::Part& part : inner.parts()) {
@@ -129,7 +129,7 @@ void StillLayers::draw_sections(const PatientSurface& part, const SceneMesh& mes
   }
 }
 
-// `moving`: what of it draw_inner() draws where it is opaque; null: nothing.
+// `moving`: the part that draw_inner() draws if it is opaque; null: none.
 void StillLayers::draw_inside(const PatientSurface& part, const InnerPatch::Part* moving, const Look& look,
                               const Projection& projection, bool opaque) {
   if (moving != nullptr && opaque) {
@@ -142,8 +142,8 @@ void StillLayers::draw_inside(const PatientSurface& part, const InnerPatch::Part
   draw_sections(part, part.mesh, sections, part.mesh.triangles, look, projection, opaque);
 }
 
-// The surface in `scratch_`, where nothing opaque covers it. Of two translucent surfaces the nearer one lies over the
-// other.
+// The surface in `scratch_`, where no opaque one covers it. Of two translucent surfaces the nearer is drawn over the
+// farther.
 void StillLayers::add_to_veil(float opacity) {
   if (veil_.empty()) {
     veil_.resize(opaque_.box());

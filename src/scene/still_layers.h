@@ -13,54 +13,53 @@
 
 namespace bodkin::scene {
 
-// The opening of a cut-away: an oval about a point, wide and high in the picture, whose edge is soft.
+// The opening of a cut-away: a soft-edged oval about a point in the image.
 struct Opening {
   Vec3 centre = Vec3::Zero();  // LPS mm
   double half_width = 95.0;    // mm
   double half_height = 80.0;   // mm
 };
 
-// How a part is lit, in this colour; what is forbidden has a bright rim.
+// The lighting of a part in this colour; forbidden parts have a bright rim.
 Material material_of(const PatientSurface& part, std::uint32_t colour);
 
-// The patient as the camera sees him, kept in layers for as long as camera and body stand still: what is opaque, a
-// veil of all that is translucent, and the skin, each with colours and depths, `detail` x `detail` samples for a
-// pixel. What moves (needles, marks) is mixed into the picture between them by depth, so that a frame costs only the
-// pixels that it changes. The veil has the depth of the nearest translucent surface: a needle between two of them is
-// drawn as if it was behind both.
+// The patient as seen by the camera, stored in layers while camera and body stand still: opaque parts, a veil of all
+// translucent parts, and the skin, each with colours and depths, `detail` x `detail` samples per pixel. Moving
+// objects (needles, marks) are blended between them by depth, so that a frame costs only the pixels that change. The
+// veil has the depth of the nearest translucent surface: a needle between two of them is drawn as behind both.
 class StillLayers {
  public:
   StillLayers(int width, int height, int detail);
 
   int detail() const { return detail_; }
-  // Pixels of the picture.
+  // Pixels of the image.
   PixelBox box() const { return {0, 0, width_, height_}; }
   // The camera with all samples for pixels.
   Projection samples(const Camera& camera) const { return {camera, width_ * detail_, height_ * detail_}; }
 
-  // Draws all that `look` shows except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint` as
-  // shade() takes it. What is opaque of `inner` is left to draw_inner().
+  // Draws everything shown by `look` except the skin, and the triangles of the skin in `skin_triangles`; `skin_tint`
+  // as for shade(). Opaque parts of `inner` are left to draw_inner().
   void draw(const PatientSurfaces& surfaces, std::span<const std::array<std::int32_t, 3>> skin_triangles,
             const InnerPatch& inner, const Camera& camera, const Look& look,
             std::span<const std::uint32_t> skin_tint = {});
-  // What is opaque of `inner`, as it is now. Replaces what the last call drew. Returns the pixels that may have
-  // changed. Translucent surfaces stay as draw() has drawn them.
+  // Draws the opaque parts of `inner` at present, replacing the last call. Returns the pixels that may have changed.
+  // Translucent surfaces stay as drawn by draw().
   PixelBox draw_inner(const PatientSurfaces& surfaces, const InnerPatch& inner, const Camera& camera,
                       const Look& look);
-  // What covers the skin's other triangles as it is now; `points` in samples. Replaces what the last call drew.
+  // Draws the replacement of the skin's other triangles at present; `points` in samples. Replaces the last call.
   // Returns the pixels that may have changed.
   PixelBox draw_patch(std::span<const ScreenPoint> points, std::span<const std::array<std::int32_t, 3>> triangles);
 
-  // How strongly the skin covers, and the opening. Call compose() afterwards.
+  // Sets the opacity of the skin, and the opening. Call compose() afterwards.
   void set_look(const Camera& camera, Preset preset, const Appearance& skin, const Opening& opening);
-  // Writes these pixels of the picture.
+  // Writes these pixels of the image.
   void compose(const PixelBox& box, Picture& picture) const;
 
-  // A sample of something thin mixed over pixel (x, y) as compose() has it: `opacity` 0 to 1 where it is in front of
-  // all that is opaque, `behind` times that where it is not; the skin covers it as far as the skin is nearer.
+  // Blends a sample of something thin over pixel (x, y) of compose(): `opacity` 0 to 1 where it is in front of all
+  // opaque parts, `behind` times that otherwise; the skin covers it as far as the skin is nearer.
   std::uint32_t mix(int x, int y, float nearness, std::uint32_t colour, float opacity, float behind) const;
 
-  // Of the nearest thing at a pixel that the viewer sees, skin or not; 0: the sky.
+  // Of the nearest visible object at a pixel, skin or not; 0: the sky.
   float nearness_at(int x, int y) const;
 
  private:

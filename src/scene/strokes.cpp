@@ -50,7 +50,7 @@ double covered(const FlatRod& rod, double p, double q, double half_width) {
     const double beyond = p < 0.0 ? -p : std::max(0.0, p - rod.length);
     return share_of_pixel(half_width - std::hypot(beyond, q));
   }
-  // Rods narrower than a pixel still cover their part of it.
+  // Rods narrower than a pixel cover a fraction of it.
   return std::min(1.0, 2.0 * half_width) * share_of_pixel(half_width - std::abs(q)) * share_of_pixel(p) *
          share_of_pixel(rod.length - p);
 }

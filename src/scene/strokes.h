@@ -9,12 +9,12 @@
 
 namespace bodkin::scene {
 
-// A straight round rod between two points, or a line as wide as it should look. Drawn from its equations, without
-// triangles: smooth at any width, and each pixel knows its place on the rod.
+// A straight round rod between two points, or a line of a given width. Drawn from its equations, without triangles:
+// smooth at any width, and each pixel knows its position on the rod.
 struct Rod {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // LPS mm
   double radius = 0.0;                          // mm
-  double least_width = 2.0;                     // pixels, that it is drawn wide at least
+  double least_width = 2.0;                     // pixels, smallest width
   float behind = 0.35F;                         // opacity where the patient is in front
 };
 
@@ -24,7 +24,7 @@ using RodColour = std::function<std::uint32_t(double along, double across, float
 
 void draw_rod(const Rod& rod, const RodColour& colour, const Projection& projection, MovingPixels& pixels);
 
-// A line of one colour through points, `width` pixels wide. `dash`: mm drawn and left out in turn; 0: all drawn.
+// A line of one colour through points, `width` pixels wide. `dash`: mm of dashes and gaps; 0: solid.
 struct Line {
   std::uint32_t colour = 0xFFFFFF;
   double width = 1.5;

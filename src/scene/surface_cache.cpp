@@ -24,7 +24,7 @@ namespace bodkin::scene {
 
 namespace {
 
-constexpr int surfaces_version = 2;  // another one whenever make_surfaces() makes others from the same tissues
+constexpr int surfaces_version = 2;  // increased whenever make_surfaces() gives others for the same tissues
 
 // All parts as one mesh.
 SceneMesh joined(const PatientSurfaces& surfaces) {
@@ -63,7 +63,7 @@ SceneMesh separated(const SceneMesh& all, vtkIntArray& parts, int number) {
   return mesh;
 }
 
-// VTK prints what is wrong with a file; a damaged one is no news here, since it is made again.
+// VTK prints errors of a file; a damaged one needs no message, since it is recreated.
 class NoWarnings {
  public:
   NoWarnings() { vtkObject::GlobalWarningDisplayOff(); }
@@ -167,7 +167,7 @@ PatientSurfaces surfaces_of_case(const anatomy::TissueVolume& tissues, const std
   try {
     write_surfaces(surfaces, digest, file);
   } catch (const SystemError&) {
-    // They are made again the next time.
+    // They are recreated next time.
   }
   return surfaces;
 }

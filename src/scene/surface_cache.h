@@ -8,19 +8,19 @@
 
 namespace bodkin::scene {
 
-// Surfaces in a file: VTK's XML format for polygons, which ParaView and 3D Slicer open. Cells have the number of
-// their part; names, kinds, colours and the digest of what they were made from are field data.
+// Surfaces in a file: VTK's XML format for polygons, readable by ParaView and 3D Slicer. Cells have the number of
+// their part; names, kinds, colours and the digest of the inputs are field data.
 
-// Replaces the file whole. Throws SystemError when it cannot be written.
+// Replaces the file atomically. Throws SystemError when it cannot be written.
 void write_surfaces(const PatientSurfaces& surfaces, const std::string& digest, const std::filesystem::path& file);
-// Nothing when there is no such file, when it is damaged, or when it was made from something else.
+// Empty when the file does not exist, is damaged, or has other inputs.
 std::optional<PatientSurfaces> read_surfaces(const std::filesystem::path& file, const std::string& digest);
 
-// A fingerprint of the tissues and of how surfaces are made from them.
+// A digest of the tissues and of the method by which surfaces are computed.
 std::string surfaces_digest(const anatomy::TissueVolume& tissues);
 
-// The surfaces of a case: from surfaces.vtp in its folder, or else made and kept there. A folder that cannot be
-// written is no error; an empty name stands for a case that is in memory only. See make_surfaces().
+// The surfaces of a case: from surfaces.vtp in its folder, or else computed and stored there. An unwritable folder is
+// not an error; an empty name means a case that is only in memory. See make_surfaces().
 PatientSurfaces surfaces_of_case(const anatomy::TissueVolume& tissues, const std::filesystem::path& folder,
                                  const Progress& progress = {});
 

@@ -11,12 +11,12 @@
 
 namespace bodkin::scene {
 
-// surfaces_of_case(), divided by find_sections(), on a thread of its own. One thread calls.
+// surfaces_of_case(), divided by find_sections(), on its own thread. Called from one thread.
 class SurfaceJob {
  public:
-  // `patient` is held until the work is done.
+  // `patient` is kept until the work is done.
   SurfaceJob(std::shared_ptr<const anatomy::Case> patient, std::filesystem::path folder);
-  // Cancels, and waits for a step of the work that cannot be interrupted: 1 s at most.
+  // Cancels, and waits at most 1 s for a step that cannot be interrupted.
   ~SurfaceJob();
   SurfaceJob(const SurfaceJob&) = delete;
   SurfaceJob& operator=(const SurfaceJob&) = delete;

@@ -30,7 +30,7 @@ TissueSet set_of(std::initializer_list<anatomy::TissueId> ids) {
   return set;
 }
 
-// The box of voxels that holds all of `region`, with a margin of air; nothing when the patient has none of it.
+// The box of voxels around `region`, with a margin of air; nothing if the patient has none of it.
 std::optional<TissueVolume> cut_out(const TissueVolume& whole, const TissueSet& region) {
   const anatomy::Grid& grid = whole.grid;
   std::array<int, 3> low = grid.size, high = {-1, -1, -1};
@@ -153,7 +153,7 @@ std::vector<SurfacePlan> surface_plans() {
 
 namespace {
 
-// Nothing for a part that the patient does not have, or of which too little is left to be drawn.
+// Nothing for a part missing in the patient, or too small to draw.
 std::optional<PatientSurface> make_surface(const TissueVolume& tissues, const SurfacePlan& plan,
                                            const TissueSet& inside) {
   const bool is_skin = plan.kind == SurfaceKind::skin;

@@ -14,24 +14,24 @@
 
 namespace bodkin::scene {
 
-// What a part of the patient is to the person who looks at it.
+// The role of a part of the patient for the viewer.
 enum class SurfaceKind : std::uint8_t {
   skin,
   bone,
-  tissue,    // what helps to find the way: discs, ligamentum flavum, the dural sac, a lesion
+  tissue,    // landmarks: discs, ligamentum flavum, the dural sac, a lesion
   forbidden  // a vessel or an organ
 };
 
 // Triangles of a surface that belong to one structure of the segmentation.
 struct SurfaceSection {
-  std::string name;                  // "kidney_right"; the surface's own for what belongs to none
+  std::string name;                  // "kidney_right"; the surface's own for triangles without a structure
   std::size_t first = 0, count = 0;  // triangles
 };
 
 // The surface of some tissues of a patient.
 struct PatientSurface {
   SurfaceKind kind = SurfaceKind::tissue;
-  std::string name;                           // as files write it: "ligamentum_flavum"
+  std::string name;                           // in files: "ligamentum_flavum"
   std::uint32_t colour = 0;                   // 0xRRGGBB, lit from everywhere
   SceneMesh mesh;                             // LPS mm
   std::vector<SurfaceSection> sections = {};  // all triangles, one after another; empty: not divided
@@ -41,11 +41,11 @@ struct PatientSurfaces {
   std::vector<PatientSurface> parts;  // the skin first
 
   std::size_t triangles() const;
-  // Of the skin; throws nothing, parts[0] is always the skin.
+  // Of the skin; does not throw, because parts[0] is always the skin.
   const SceneMesh& skin() const { return parts.front().mesh; }
 };
 
-// A part as it is drawn: of which tissues, how finely, and with how many triangles.
+// The plan of a part: its tissues, resolution, and number of triangles.
 struct SurfacePlan {
   SurfaceKind kind;
   std::string_view name;
@@ -55,14 +55,13 @@ struct SurfacePlan {
   int most_triangles;
 };
 
-// The parts that are looked for in every patient; those that he does not have are left out. At most 60000 triangles
-// in all.
+// The parts searched in every patient; missing ones are left out. At most 60000 triangles in total.
 std::vector<SurfacePlan> surface_plans();
 
-// The surfaces of a patient: drawn from the tissue map (anatomy::tissue_surface), smoothed by a windowed sinc filter
-// of 15 iterations (Taubin et al. 1996), which keeps the volume, decimated by quadric errors, with normals and the
-// share of the sky that each point sees (openness.h). The same tissues give the same surfaces. Takes seconds, for a
-// thread of its own; `progress` may throw to cancel. Throws InputError for a patient without any tissue.
+// The surfaces of a patient: computed from the tissue map (anatomy::tissue_surface), smoothed by a windowed sinc
+// filter of 15 iterations (Taubin et al. 1996), which preserves the volume, decimated by quadric errors, with normals
+// and the visible fraction of the sky of each point (openness.h). The same tissues give the same surfaces. Takes
+// seconds, for a separate thread; `progress` may throw to cancel. Throws InputError for a patient without any tissue.
 PatientSurfaces make_surfaces(const anatomy::TissueVolume& tissues, const Progress& progress = {});
 
 }  // namespace bodkin::scene

@@ -20,14 +20,14 @@
 
 namespace bodkin::scene {
 
-// The picture of patient, needles and marks, drawn by the processor alone. Setters only note what is wished; draw()
-// does what it takes: with camera and body at rest, the pixels of needles and marks; with a dent, also the skin about
-// it; with a new camera or preset, everything. One thread.
+// The image of patient, needles and marks, drawn only by the processor. Setters only store requests; draw() does the
+// work required: with camera and body at rest, the pixels of needles and marks; with a dent, also the skin about it;
+// with a new camera or preset, everything. One thread.
 class SoftwareView {
  public:
   explicit SoftwareView(std::shared_ptr<const PatientSurfaces> surfaces);
 
-  // Pixels. At most 1920 x 1080 are advised: draw larger ones smaller and scale them up.
+  // Pixels. At most 1920 x 1080 are recommended: draw larger images at lower resolution and scale them up.
   void set_size(int width, int height);
   void set_camera(const Camera& camera);
   void set_preset(Preset preset) { set_look({preset, {}}); }
@@ -37,24 +37,22 @@ class SoftwareView {
   void set_detail(int detail);
   void set_needles(std::vector<NeedleLook> needles);
   void set_marks(SceneMarks marks);
-  // The skin about the place where a needle will go in is cut out as a patch, which can dent from then on.
+  // Cuts out the skin about the entry of a needle as a patch, which can dent from then on.
   void set_entry(const Vec3& entry, const Vec3& direction);
-  // LPS mm at rest: where displacements of a deformable body are wanted, of the skin about the entry and then of the
-  // surfaces inside near the needle's line.
+  // LPS mm at rest: the points whose displacements are required, of the skin about the entry and then of the surfaces
+  // inside near the needle's line.
   std::vector<Vec3> deformable_points() const;
-  // See SkinPatch::deform; nothing: the skin at rest. `displacements`: of deformable_points(). set_entry() comes
-  // first.
+  // See SkinPatch::deform; empty: the skin at rest. `displacements`: of deformable_points(). After set_entry().
   void set_dent(const std::optional<SkinDent>& dent, std::span<const float> displacements = {});
 
-  // The patient breathes. What is told of the body at rest (set_entry, deformable_points, set_dent) is that of one
-  // who has breathed out.
+  // Breathing of the patient. The body at rest (set_entry, deformable_points, set_dent) is that after expiration.
   void set_breath(const BreathMotion& breath);
 
-  // Colours laid over the skin, 0xAARRGGBB for each of its points (surfaces().skin()); empty: none. Tinted skin does
-  // not dent. Throws std::invalid_argument for another number of colours.
+  // Colours blended over the skin, 0xAARRGGBB for each of its points (surfaces().skin()); empty: none. Tinted skin
+  // does not dent. Throws std::invalid_argument for another number of colours.
   void set_skin_tint(std::vector<std::uint32_t> tint);
 
-  // Brings the picture up to date. Returns the box of the pixels that were written, empty if none.
+  // Updates the image. Returns the box of the pixels written, empty if none.
   PixelBox draw();
 
   const Picture& picture() const { return picture_; }
@@ -65,7 +63,7 @@ class SoftwareView {
   Projection projection() const { return {camera_, picture_.width, picture_.height}; }
   const SkinPatch& patch() const { return patch_; }
   const InnerPatch& inner_patch() const { return inner_; }
-  // Of a patient who has breathed out.
+  // After expiration.
   const PatientSurfaces& surfaces() const { return *surfaces_; }
   const std::shared_ptr<const PatientSurfaces>& shared_surfaces() const { return surfaces_; }
   const StillLayers& layers() const { return *layers_; }
@@ -73,13 +71,13 @@ class SoftwareView {
   std::optional<SurfacePoint> skin_at(double x, double y) const;
 
  private:
-  // As they are now.
+  // At present.
   const PatientSurfaces& seen() const { return moved_ ? *moved_ : *surfaces_; }
 
   std::shared_ptr<const PatientSurfaces> surfaces_;
-  std::optional<PatientSurfaces> moved_;  // by breath; nothing: breathed out
+  std::optional<PatientSurfaces> moved_;  // by breathing; empty: after expiration
   BreathMotion breath_;
-  bool breath_stale_ = false;  // the patches have not been moved with it
+  bool breath_stale_ = false;  // the patches have not yet been moved with it
   Camera camera_;
   Look look_;
   Opening opening_;

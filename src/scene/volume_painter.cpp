@@ -32,16 +32,16 @@ VolumePainter::VolumePainter(std::shared_ptr<const imaging::PreparedVolume> volu
 
 VolumePainter::~VolumePainter() = default;
 
-// A card is asked for once for each wish: what failed would fail again, and takes some tenths of a second.
-bool VolumePainter::takes_card(VolumeDrawer wished) {
-  if (wished == VolumeDrawer::processor) {
+// The card is tried once per setting: a failure would recur, and takes some tenths of a second.
+bool VolumePainter::takes_card(VolumeDrawer requested) {
+  if (requested == VolumeDrawer::processor) {
     refusal_.clear();
     return false;
   }
-  if (wished == tried_for_) return card_ != nullptr;
-  tried_for_ = wished;
+  if (requested == tried_for_) return card_ != nullptr;
+  tried_for_ = requested;
   refusal_.clear();
-  const bool software_too = wished == VolumeDrawer::card;
+  const bool software_too = requested == VolumeDrawer::card;
   if (card_ && (software_too || is_graphics_card(card_->renderer()))) return true;
   card_.reset();
   card_name_.clear();
@@ -54,24 +54,24 @@ bool VolumePainter::takes_card(VolumeDrawer wished) {
   return card_ != nullptr;
 }
 
-void VolumePainter::make_caster(const VolumeOrder& order) {
-  const double step = imaging::step_of(*volume_, order.voxels);
-  if (caster_ && caster_->step() == step && caster_->look() == order.look) return;
-  caster_ = std::make_shared<const imaging::RayCaster>(volume_, order.look, step);
+void VolumePainter::make_caster(const VolumeRequest& request) {
+  const double step = imaging::step_of(*volume_, request.voxels);
+  if (caster_ && caster_->step() == step && caster_->look() == request.look) return;
+  caster_ = std::make_shared<const imaging::RayCaster>(volume_, request.look, step);
 }
 
-bool VolumePainter::draw(const VolumeOrder& order, const std::function<bool()>& cancelled, VolumeResult& result) {
+bool VolumePainter::draw(const VolumeRequest& request, const std::function<bool()>& cancelled, VolumeResult& result) {
   const auto begin = std::chrono::steady_clock::now();
-  result.order = order;
+  result.request = request;
   result.by_card = false;
-  make_caster(order);
+  make_caster(request);
   result.caster = caster_;
-  const imaging::VolumeCamera camera = volume_camera(Projection(order.camera, order.width, order.height));
-  const bool by_tissue = order.look.mode == imaging::VolumeMode::colour && order.look.tissue_colours;
+  const imaging::VolumeCamera camera = volume_camera(Projection(request.camera, request.width, request.height));
+  const bool by_tissue = request.look.mode == imaging::VolumeMode::colour && request.look.tissue_colours;
   bool finished = true;
-  if (takes_card(order.drawer) && !by_tissue) {
+  if (takes_card(request.drawer) && !by_tissue) {
     try {
-      card_->draw(camera, order.look, caster_->step(), result.pixels);
+      card_->draw(camera, request.look, caster_->step(), result.pixels);
       result.by_card = true;
     } catch (const SystemError& failure) {
       refusal_ = failure.what();

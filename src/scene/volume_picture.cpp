@@ -16,7 +16,7 @@ std::uint32_t between(std::uint32_t a, std::uint32_t b, std::uint32_t share) {
   return 0xFF000000U | red_blue | green;
 }
 
-// Where the middle of each of `to` pixels lies among `from` pixels: the one before it and 256 parts beyond.
+// Position of the middle of each of `to` pixels among `from` pixels: the one before it, and 256ths beyond.
 struct Tap {
   int before, after;
   std::uint32_t share;
@@ -49,12 +49,12 @@ void VolumePicture::set_base(std::shared_ptr<const VolumeResult> base) {
 void VolumePicture::scale_base() {
   still_ = Picture(picture_.width, picture_.height);
   if (!base_ || still_.pixels.empty()) return;
-  const int width = base_->order.width;
-  if (width == still_.width && base_->order.height == still_.height) {
+  const int width = base_->request.width;
+  if (width == still_.width && base_->request.height == still_.height) {
     still_.pixels = base_->pixels;
     return;
   }
-  const std::vector<Tap> columns = taps(width, still_.width), rows = taps(base_->order.height, still_.height);
+  const std::vector<Tap> columns = taps(width, still_.width), rows = taps(base_->request.height, still_.height);
   for (int y = 0; y < still_.height; ++y) {
     const Tap& row = rows[static_cast<std::size_t>(y)];
     const std::uint32_t* const above = base_->pixels.data() + static_cast<std::ptrdiff_t>(row.before) * width;
@@ -82,7 +82,7 @@ void VolumePicture::draw(const std::vector<NeedleLook>& needles, const SceneMark
 std::uint32_t VolumePicture::mixed(const Projection& projection, int x, int y,
                                    const MovingPixels::Fragment& fragment) const {
   const std::uint32_t whole = still_.row(y)[x];
-  const imaging::VolumeMode mode = base_->order.look.mode;
+  const imaging::VolumeMode mode = base_->request.look.mode;
   imaging::CastRay front;  // what lies before the needle
   if ((mode == imaging::VolumeMode::colour || mode == imaging::VolumeMode::grey) && fragment.nearness > 0.0F) {
     const ViewRay ray = projection.ray(x + 0.5, y + 0.5);

@@ -11,20 +11,20 @@
 
 namespace bodkin::scene {
 
-// A picture of a VolumeJob, brought to the size of a view, with needles and marks in it at their depth: what lies
-// before a needle takes its light from it, pixel by pixel. Only the pixels of needles and marks cost time while the
-// volume stays as it is.
+// An image of a VolumeJob, scaled to the size of a view, with needles and marks in it at their depth: the volume in
+// front of a needle attenuates its light, pixel by pixel. While the volume does not change, only the pixels of
+// needles and marks take time.
 class VolumePicture {
  public:
   void set_size(int width, int height);  // pixels
   void set_base(std::shared_ptr<const VolumeResult> base);
   const std::shared_ptr<const VolumeResult>& base() const { return base_; }
 
-  // The picture with these over it; nothing is drawn before there is a base.
+  // The image with these overlays; nothing is drawn before there is a base.
   void draw(const std::vector<NeedleLook>& needles, const SceneMarks& marks);
   const Picture& picture() const { return picture_; }
-  // Of the camera that the picture was drawn from.
-  Projection projection() const { return {base_->order.camera, picture_.width, picture_.height}; }
+  // Of the camera from which the image was drawn.
+  Projection projection() const { return {base_->request.camera, picture_.width, picture_.height}; }
 
  private:
   void scale_base();

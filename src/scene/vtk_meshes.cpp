@@ -91,7 +91,7 @@ SceneMesh to_mesh(vtkPolyData& data) {
     std::array<std::int32_t, 3> triangle{};
     for (std::size_t c = 0; c < 3; ++c) {
       if (corners[c] < 0 || corners[c] >= count)
-        throw InputError("surfaces: a triangle has a corner that is no point");
+        throw InputError("surfaces: a triangle has a corner that is not a point");
       triangle[c] = static_cast<std::int32_t>(corners[c]);
     }
     mesh.triangles.push_back(triangle);

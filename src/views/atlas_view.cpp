@@ -63,7 +63,7 @@ void AtlasView::look_at(const Vec3& place, const Vec3& normal) {
   scene::Camera camera = camera_;
   camera.focus = place;
   Vec3 from = normal;
-  // Never straight from above or below: the head stays up.
+  // Never vertically from above or below: the head stays up.
   from.z() = std::clamp(from.z(), -0.8, 0.8);
   camera.up = Vec3::UnitZ();
   camera.eye = place + 0.5 * near_height / std::tan(0.5 * camera.angle) * from.normalized();
@@ -120,9 +120,9 @@ void AtlasView::show_answer(const std::optional<Vec3>& shown) {
   update();
 }
 
-void AtlasView::say(const QString& sentence) {
-  if (said_ == sentence) return;
-  said_ = sentence;
+void AtlasView::show_message(const QString& sentence) {
+  if (message_ == sentence) return;
+  message_ = sentence;
   update();
 }
 
@@ -204,8 +204,7 @@ void AtlasView::paint_meridians(QPainter& painter) const {
   }
 }
 
-// From the luo-connecting point that is lit straight to the source point of the partner's meridian, as schemes draw
-// it.
+// A straight line from the lit luo-connecting point to the source point of the partner's meridian, as in schemes.
 void AtlasView::paint_collateral(QPainter& painter) const {
   const patient::AtlasPoint* const luo = lit_ != nullptr ? lit_ : chosen_;
   const patient::Collateral* const collateral = luo != nullptr ? patient::collateral_at(luo->code) : nullptr;
@@ -250,7 +249,7 @@ void AtlasView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), Theme::dark().ground);
     painter.setPen(Theme::dark().second);
     painter.setFont(views::font(heading_size));
-    painter.drawText(rect(), Qt::AlignCenter, said_);
+    painter.drawText(rect(), Qt::AlignCenter, message_);
     return;
   }
   scene_->draw();
@@ -274,15 +273,15 @@ void AtlasView::paintEvent(QPaintEvent*) {
       }
     }
   }
-  if (!said_.isEmpty()) {
+  if (!message_.isEmpty()) {
     painter.setFont(views::font(heading_size, true));
-    const QRectF box = painter.fontMetrics().boundingRect(said_).adjusted(-14, -8, 14, 8);
+    const QRectF box = painter.fontMetrics().boundingRect(message_).adjusted(-14, -8, 14, 8);
     const QRectF at(QPointF(0.5 * (width() - box.width()), 14.0), box.size());
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 24, 30, 215));
     painter.drawRoundedRect(at, 6.0, 6.0);
     painter.setPen(QColor(245, 247, 250));
-    painter.drawText(at, Qt::AlignCenter, said_);
+    painter.drawText(at, Qt::AlignCenter, message_);
   }
 }
 

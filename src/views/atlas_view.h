@@ -15,38 +15,38 @@ class QPainter;
 namespace bodkin::views {
 
 // The body with points and meridians. A drag turns it, with the right button it moves, the wheel zooms; the point
-// under the pointer is lit and named, a click chooses it.
+// under the pointer is highlighted and named, a click selects it.
 class AtlasView : public QWidget {
   Q_OBJECT
  public:
   explicit AtlasView(QWidget* parent = nullptr);
 
   void set_body(std::shared_ptr<const patient::Atlas> atlas, std::shared_ptr<const scene::PatientSurfaces> surfaces);
-  // The chosen point, or none: it is lit, its meridian, and of a luo-connecting point its collateral.
+  // Selects a point, or none: highlights it, its meridian, and for a luo-connecting point its collateral.
   void choose(const patient::AtlasPoint* point);
-  // The needle of a device, in the operator's frame with its middle at zero (mm); `reach`: mm that its workspace is
-  // high, which fills the picture. It lies along the screen: right is right, up is up, away is into the picture. The
-  // point that it touches, within 8 mm, is lit and told once. Nothing: no needle.
+  // Shows the needle of a device, in the operator's frame with its middle at zero (mm); `reach`: mm, height of its
+  // workspace, which fills the view. It is aligned with the screen: right is right, up is up, away is into the
+  // screen. The point that it touches, within 8 mm, is highlighted and reported once. Empty: no needle.
   void show_needle(const std::optional<Pose>& hand, double reach);
   // LPS mm, of the needle that is shown.
   std::optional<Vec3> tip() const { return tip_; }
-  // Without points and names, for practice; then the place that was shown and the true point.
+  // Hides points and names, for practice; shows the indicated and the true point afterwards.
   void hide_points(bool hidden);
   void show_answer(const std::optional<Vec3>& shown);
-  // Turns and comes near to a place of the left half.
+  // Turns and zooms to a place of the left half.
   void look_at(const Vec3& place, const Vec3& normal);
   void look_at_all();
 
   bool is_ready() const { return scene_ != nullptr; }
-  // Where a place is in the widget, for tests; nothing when it is hidden.
+  // The position of a place in the widget, for tests; empty when it is hidden.
   std::optional<QPointF> place_of(const Vec3& p) const;
-  QString said() const { return said_; }
-  void say(const QString& sentence);
+  QString message() const { return message_; }
+  void show_message(const QString& sentence);
 
  signals:
-  // A place on the skin, and the point within 8 mm of it (null: none).
+  // A place on the skin was clicked, and the point within 8 mm of it (null: none).
   void clicked(const bodkin::Vec3& place, const bodkin::patient::AtlasPoint* point);
-  // The needle has come to another point.
+  // The needle has reached another point.
   void touched(const bodkin::patient::AtlasPoint* point);
 
  protected:
@@ -81,7 +81,7 @@ class AtlasView : public QWidget {
   const patient::AtlasPoint* touched_ = nullptr;  // by the needle
   bool hidden_ = false, moved_ = false;
   QPointF pressed_, last_;
-  QString said_;
+  QString message_;
 };
 
 }  // namespace bodkin::views

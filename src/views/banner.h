@@ -7,8 +7,8 @@
 
 namespace bodkin::views {
 
-// A danger by its name and what to do next; nothing is drawn, and clicks go through to what lies below, while there
-// is none. Never a dialog. A click says that it was read.
+// Shows a danger and the next action; while there is none, nothing is drawn and clicks pass through. Never a dialog.
+// A click acknowledges it.
 class Banner : public View {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class Banner : public View {
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   const std::optional<Warning>& warning() const { return warning_; }
-  // Wide enough for its words.
+  // Wide enough for its text.
   QSize sizeHint() const override;
 
  signals:

@@ -85,7 +85,7 @@ QPointF Bullseye::place(const Eigen::Vector2d& offset) const {
 }
 
 void Bullseye::paintEvent(QPaintEvent* /*event*/) {
-  const Theme& theme = Theme::dark();  // it lies on the picture of the patient
+  const Theme& theme = Theme::dark();  // it is drawn over the patient's image
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor ground = theme.ground;
@@ -113,7 +113,7 @@ void Bullseye::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(theme.second, 1.5, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(hub, tip);
     painter.setPen(QPen(theme.ground, 1.5));
-    painter.setBrush(offset_->beside > off_by_much * tolerance_ ? theme.caution : theme.text);
+    painter.setBrush(offset_->distance > off_by_much * tolerance_ ? theme.caution : theme.text);
     painter.drawEllipse(tip, 4.5, 4.5);
   }
 
@@ -128,10 +128,10 @@ void Bullseye::paintEvent(QPaintEvent* /*event*/) {
     y += 20.0;
   };
   if (offset_) {
-    const QColor ink = offset_->beside > off_by_much * tolerance_ ? theme.caution : theme.text;
-    QString beside = tr("%1 mm off path").arg(offset_->beside, 0, 'f', 1);
-    if (offset_->side != Side::none) beside = tr("%1, %2").arg(beside, name_of(offset_->side));
-    write(beside, ink, true);
+    const QColor ink = offset_->distance > off_by_much * tolerance_ ? theme.caution : theme.text;
+    QString distance = tr("%1 mm off path").arg(offset_->distance, 0, 'f', 1);
+    if (offset_->side != Side::none) distance = tr("%1, %2").arg(distance, name_of(offset_->side));
+    write(distance, ink, true);
     write(tr("%1° off plan").arg(offset_->angle, 0, 'f', 1), theme.second, false);
   } else {
     write(is_hidden_  ? tr("The planned path is not shown")

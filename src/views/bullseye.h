@@ -8,8 +8,8 @@
 
 namespace bodkin::views {
 
-// Looking down the planned path: the rings are the plan, the dot is the tip, the line from it leads to where the
-// shaft passes the skin. Beside it how far and how much the needle is off, and what to do now.
+// The view along the planned path: the rings are the plan, the dot is the tip, and the line from it leads to the
+// shaft's position at the skin. Next to it the needle's deviation, and the next action.
 class Bullseye : public View {
   Q_OBJECT
  public:
@@ -18,11 +18,11 @@ class Bullseye : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
 
-  // The planned path is kept from the person: the view says that, and not that there is none.
+  // The planned path is hidden from the person: the view says so, rather than that there is none.
   void set_path_hidden(bool hidden);
 
-  // Where an offset from the path (mm, to the viewer's right and up) is drawn, pixels. The outer ring stands for
-  // three times the target's tolerance; what is farther lies on it.
+  // Position in pixels of an offset from the path (mm, to the viewer's right and up). The outer ring represents three
+  // times the target's tolerance; larger offsets are drawn on it.
   QPointF place(const Eigen::Vector2d& offset) const;
 
  protected:
@@ -33,7 +33,7 @@ class Bullseye : public View {
   static QString name_of(Side side);
   double radius() const;  // pixels, of the outer ring
 
-  std::optional<PathOffset> offset_;  // none: there is no plan or no needle
+  std::optional<PathOffset> offset_;  // empty: no plan or no needle
   bool has_plan_ = false, is_hidden_ = false;
   double tolerance_ = 3.0;  // mm
   QString hint_;

@@ -7,7 +7,7 @@
 
 namespace bodkin::views {
 
-// A camera's picture as large as the widget allows; words where there is none.
+// A camera's image at the largest size of the widget; a text if there is none.
 class CameraPicture : public QWidget {
   Q_OBJECT
  public:
@@ -15,12 +15,12 @@ class CameraPicture : public QWidget {
 
   // Null: none.
   void show_picture(std::shared_ptr<const imaging::ImageRgb> picture);
-  // Instead of a picture.
+  // Shows a text instead of an image.
   void show_words(const QString& words);
   const std::shared_ptr<const imaging::ImageRgb>& picture() const { return picture_; }
 
  signals:
-  // A picture has been painted for the first time.
+  // An image has been painted for the first time.
   void painted();
 
  protected:

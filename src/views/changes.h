@@ -2,7 +2,7 @@
 
 namespace bodkin::views {
 
-// What is different from the frame before, so that a view draws only what it must.
+// Differences from the previous frame, so that a view draws only what is necessary.
 struct Changes {
   bool needle = false;     // moved by more than 0.05 mm or 0.05 degree, or came, or went
   bool tissue = false;     // another tissue or structure at the tip
@@ -12,7 +12,7 @@ struct Changes {
   bool plan = false;       // path or target
   bool crosshair = false;  // moved by more than 0.05 mm
   bool warning = false;    // came, went or changed
-  bool attempt = false;    // a new attempt began: forget the curves of the last one
+  bool attempt = false;    // a new attempt began: discard the curves of the last one
   bool theme = false;      // light or dark
 
   bool any() const noexcept {

@@ -39,7 +39,7 @@ void ChartCurve::add(double place, double value) {
   const auto piece_of = [&](double at) { return static_cast<std::size_t>(at / step_); };
   const std::size_t piece = piece_of(place);
   if (joined_) {
-    // In each piece between, the line's value at the piece's middle.
+    // Each intermediate piece gets the line's value at its middle.
     const std::size_t before = piece_of(place_);
     const std::size_t low = std::min(piece, before), high = std::max(piece, before);
     for (std::size_t i = low + 1; i < high; ++i) {

@@ -12,7 +12,7 @@ std::uint32_t clearance_colour(float clearance) {
     float at;
     std::array<float, 3> colour;
   };
-  // Readable by every eye: from dark to bright, blue to yellow.
+  // Readable with any colour vision: from dark to bright, blue to yellow.
   constexpr std::array<Stop, 4> stops = {Stop{0.0F, {30.0F, 44.0F, 92.0F}}, Stop{0.34F, {92.0F, 98.0F, 120.0F}},
                                          Stop{0.67F, {176.0F, 160.0F, 92.0F}}, Stop{1.0F, {247.0F, 214.0F, 62.0F}}};
   const float share = std::clamp(clearance / map_top, 0.0F, 1.0F);

@@ -9,12 +9,12 @@ namespace bodkin::views {
 ClearanceLegend::ClearanceLegend(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFixedSize(214, 58);
-  setAccessibleName(tr("Colours of the skin: clearance of a path from there"));
+  setAccessibleName(tr("Colours of the skin: clearance of a path that begins there"));
 }
 
-void ClearanceLegend::say(const QString& sentence) {
-  if (sentence == said_) return;
-  said_ = sentence;
+void ClearanceLegend::show_message(const QString& sentence) {
+  if (sentence == message_) return;
+  message_ = sentence;
   update();
 }
 
@@ -37,7 +37,8 @@ void ClearanceLegend::paintEvent(QPaintEvent* /*event*/) {
   set_font(painter, label_size);
   const double below = margin + bar + 14.0;
   draw_text(painter, {margin, below}, tr("blocked"), theme.second);
-  draw_text(painter, {0.5 * width(), below}, said_.isEmpty() ? tr("clearance") : said_, theme.text, Anchor::middle);
+  draw_text(painter, {0.5 * width(), below}, message_.isEmpty() ? tr("clearance") : message_, theme.text,
+            Anchor::middle);
   draw_text(painter, {width() - margin, below}, tr("%1 mm").arg(static_cast<int>(map_top)), theme.second,
             Anchor::right);
 }

@@ -4,20 +4,20 @@
 
 namespace bodkin::views {
 
-// What the colours of the skin mean while a path is planned, and how far the map is.
+// The meaning of the skin's colours while a path is planned, and the progress of the map.
 class ClearanceLegend : public QWidget {
   Q_OBJECT
  public:
   explicit ClearanceLegend(QWidget* parent = nullptr);
 
   // A sentence below the colours; empty: none.
-  void say(const QString& sentence);
+  void show_message(const QString& sentence);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QString said_;
+  QString message_;
 };
 
 }  // namespace bodkin::views

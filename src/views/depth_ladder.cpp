@@ -62,7 +62,7 @@ QString DepthLadder::name_of(const DepthSegment& segment) const {
   return in_words(short_title(patient_->patient.library.title(segment.tissue)));
 }
 
-// Bold, as each of them is when the tip is there.
+// Bold, as for the layer at the tip.
 void DepthLadder::make_room_for_names() {
   const QFontMetrics letters(views::font(label_size, true));
   for (const DepthSegment& segment : segments_) {
@@ -103,7 +103,7 @@ void DepthLadder::show_frame(const Frame& frame, const Changes& changes) {
   update();
 }
 
-// At a boundary the one that the tip is in.
+// At a boundary the layer that contains the tip.
 const DepthSegment* DepthLadder::touched_segment() const {
   constexpr double beside = 3.0;  // mm
   const auto distance = [this](const DepthSegment& segment) {
@@ -157,7 +157,7 @@ void DepthLadder::draw_bar(QPainter& painter) const {
     };
     const double met = std::clamp(touched_, segment.from, segment.to);
     fill(segment.from, met, colour);
-    // What is still ahead is darker.
+    // Layers still ahead are darker.
     QColor ahead = colour.darker(depth_ > 0.0 ? 155 : 125);
     fill(met, segment.to, ahead);
   }
@@ -170,20 +170,20 @@ void DepthLadder::draw_bar(QPainter& painter) const {
 
 void DepthLadder::draw_names(QPainter& painter) const {
   const Theme& theme = Theme::dark();
-  std::vector<double> wishes;
+  std::vector<double> desired;
   std::vector<const DepthSegment*> named;
   for (const DepthSegment& segment : segments_) {
     if (segment.to - segment.from < least_named) continue;
-    wishes.push_back(0.5 * (row(segment.from) + row(segment.to)));
+    desired.push_back(0.5 * (row(segment.from) + row(segment.to)));
     named.push_back(&segment);
   }
-  const std::vector<double> places = spread_labels(wishes, label_gap, bar_top + 4.0, height() - below_bar);
+  const std::vector<double> places = spread_labels(desired, label_gap, bar_top + 4.0, height() - below_bar);
   const DepthSegment* now = depth_ > 0.0 ? touched_segment() : nullptr;
   for (std::size_t i = 0; i < named.size(); ++i) {
     const bool here = named[i] == now;
     painter.setPen(QPen(theme.line, 1.0));
-    if (std::abs(places[i] - wishes[i]) > 3.0) {
-      painter.drawLine(QPointF(bar_left + bar_width + 1.0, wishes[i]), QPointF(name_left - 2.0, places[i]));
+    if (std::abs(places[i] - desired[i]) > 3.0) {
+      painter.drawLine(QPointF(bar_left + bar_width + 1.0, desired[i]), QPointF(name_left - 2.0, places[i]));
     }
     set_font(painter, label_size, here);
     const QString title = painter.fontMetrics().elidedText(name_of(*named[i]), Qt::ElideRight,

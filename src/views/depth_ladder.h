@@ -10,7 +10,7 @@
 namespace bodkin::views {
 
 // The tissues along the needle's own line from the skin down, with the tip and the target: the strongest cue of depth
-// and the strongest aid. Before the needle is in, the line is the one that it would take.
+// and the strongest aid. Before insertion, the line is the one that the needle would take.
 class DepthLadder : public View {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class DepthLadder : public View {
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
 
-  // As wide as the names of the tissues want; it does not shrink while the patient stays.
+  // As wide as the names of the tissues; it does not shrink for the same patient.
   QSize sizeHint() const override;
 
   const std::vector<DepthSegment>& segments() const { return segments_; }
@@ -40,9 +40,9 @@ class DepthLadder : public View {
   std::shared_ptr<const OpenCase> patient_;
   std::vector<DepthSegment> segments_;
   int wanted_width_ = 0;                             // pixels
-  double length_ = 60.0;                             // mm that the bar is long
+  double length_ = 60.0;                             // mm, length of the bar
   double depth_ = 0.0;                               // mm; not more than 0 outside
-  double touched_ = 0.0;                             // mm, of what the tip touches, at rest
+  double touched_ = 0.0;                             // mm at rest, of the tissue at the tip
   anatomy::TissueId tissue_ = anatomy::tissue::air;  // at the tip
   double target_ = -1.0;                             // mm; negative: none
   bool reached_ = false;

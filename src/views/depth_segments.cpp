@@ -39,12 +39,12 @@ const DepthSegment* segment_at(std::span<const DepthSegment> segments, double de
   return nullptr;
 }
 
-std::vector<double> spread_labels(std::span<const double> wishes, double gap, double low, double high) {
-  const std::size_t count = wishes.size();
+std::vector<double> spread_labels(std::span<const double> desired, double gap, double low, double high) {
+  const std::size_t count = desired.size();
   if (count == 0) return {};
   const double room = high - low;
   const double between = count > 1 ? std::min(gap, room / static_cast<double>(count - 1)) : gap;
-  // With place[i] = y[i] + i * between the gaps ask for y not to descend: groups that would are set to their mean.
+  // With place[i] = y[i] + i * between, the gaps require ascending y: groups that descend are set to their mean.
   struct Group {
     double sum = 0.0;
     std::size_t size = 0;
@@ -52,7 +52,7 @@ std::vector<double> spread_labels(std::span<const double> wishes, double gap, do
   };
   std::vector<Group> groups;
   for (std::size_t i = 0; i < count; ++i) {
-    groups.push_back({wishes[i] - between * static_cast<double>(i), 1});
+    groups.push_back({desired[i] - between * static_cast<double>(i), 1});
     while (groups.size() > 1 && groups[groups.size() - 2].mean() > groups.back().mean()) {
       groups[groups.size() - 2].sum += groups.back().sum;
       groups[groups.size() - 2].size += groups.back().size;

@@ -14,7 +14,7 @@ namespace bodkin::views {
 
 namespace {
 
-constexpr double dock_interval = 0.1;  // s between two drawings: numbers that change faster are not read
+constexpr double dock_interval = 0.1;  // s between two drawings: numbers that change faster cannot be read
 constexpr double dock_gap = 12.0;      // pixels
 
 // "wall_mm" -> "mm", "stored_N_mm" -> "N mm", "csf_flow_mm3_s" -> "mm³/s".
@@ -86,7 +86,7 @@ void DiagnosticsDock::show_frame(const Frame& frame, const Changes& changes) {
   update();
 }
 
-std::optional<double> DiagnosticsDock::wall_ahead() const {
+std::optional<double> DiagnosticsDock::wall_distance() const {
   for (const Number& number : numbers_) {
     if (number.is_wall) return number.value - depth_;
   }
@@ -99,7 +99,7 @@ void DiagnosticsDock::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   const double left = dock_gap, wide = width() - 2.0 * dock_gap;
   const double model =
-      30.0 + 18.0 * static_cast<double>(std::max<std::size_t>(1, numbers_.size())) + (wall_ahead() ? 44.0 : 0.0);
+      30.0 + 18.0 * static_cast<double>(std::max<std::size_t>(1, numbers_.size())) + (wall_distance() ? 44.0 : 0.0);
   const double rest = std::max(0.0, height() - model - 4.0 * dock_gap);
   double y = 8.0;
   const auto next = [&](double high) {
@@ -113,7 +113,7 @@ void DiagnosticsDock::paintEvent(QPaintEvent* /*event*/) {
   draw_log(painter, next(0.35 * rest));
 }
 
-// What is left of the box below the heading.
+// The rest of the box below the heading.
 QRectF DiagnosticsDock::heading(QPainter& painter, const QRectF& box, const QString& title) const {
   set_font(painter, text_size, true);
   draw_text(painter, {box.left(), box.top() + 14.0}, title, Theme::now().text);
@@ -125,7 +125,7 @@ void DiagnosticsDock::draw_loop(QPainter& painter, const QRectF& box) const {
   const QRectF inner = heading(painter, box, tr("Force loop"));
   set_font(painter, label_size);
   if (!timings_ || timings_->ticks == 0) {
-    return draw_text(painter, {inner.left(), inner.top() + 12.0}, tr("It does not run"), theme.second);
+    return draw_text(painter, {inner.left(), inner.top() + 12.0}, tr("It is not running"), theme.second);
   }
   constexpr double from = 1e-6, to = 1e-2;  // s
   const QRectF plot = inner.adjusted(0.0, 0.0, 0.0, -68.0);
@@ -134,7 +134,7 @@ void DiagnosticsDock::draw_loop(QPainter& painter, const QRectF& box) const {
   const std::vector<double> late = histogram_columns(timings_->lateness, from, to, count);
   double most = 0.0;
   for (std::size_t i = 0; i < count; ++i) most = std::max({most, compute[i], late[i]});
-  // The root of the share: one slow tick of a thousand is seen.
+  // The root of the fraction, so that one slow tick in a thousand is visible.
   const auto bars = [&](const std::vector<double>& shares, QColor colour, double opacity) {
     colour.setAlphaF(opacity);
     for (std::size_t i = 0; i < count; ++i) {
@@ -182,7 +182,7 @@ void DiagnosticsDock::draw_model(QPainter& painter, const QRectF& box) const {
   const QRectF inner = heading(painter, box, tr("Force model"));
   set_font(painter, label_size);
   double y = inner.top() + 12.0;
-  if (numbers_.empty()) draw_text(painter, {inner.left(), y}, tr("It has no numbers of its own"), theme.second);
+  if (numbers_.empty()) draw_text(painter, {inner.left(), y}, tr("It has no values to show"), theme.second);
   for (const Number& number : numbers_) {
     const QString value = tr("%1 %2").arg(three_digits(number.value), number.unit);
     const int room = static_cast<int>(inner.width()) - painter.fontMetrics().horizontalAdvance(value) - 10;
@@ -191,15 +191,15 @@ void DiagnosticsDock::draw_model(QPainter& painter, const QRectF& box) const {
     draw_text(painter, {inner.right(), y}, value, theme.text, Anchor::right);
     y += 18.0;
   }
-  if (wall_ahead()) draw_wall(painter, QRectF(inner.left(), y - 6.0, inner.width(), 40.0));
+  if (wall_distance()) draw_wall(painter, QRectF(inner.left(), y - 6.0, inner.width(), 40.0));
 }
 
-// The millimetres about the tip, which stands in the middle; deeper is to the right.
+// The millimetres about the tip, which is in the middle; deeper is to the right.
 void DiagnosticsDock::draw_wall(QPainter& painter, const QRectF& box) const {
   constexpr double half = 5.0;  // mm to each side
   const Theme& theme = Theme::now();
   const QColor wall(0xC7, 0x92, 0xEA);
-  const double ahead = *wall_ahead(), line = box.top() + 18.0;
+  const double ahead = *wall_distance(), line = box.top() + 18.0;
   const auto x_of = [&](double millimetres) {
     return box.center().x() + 0.5 * box.width() * std::clamp(millimetres / half, -1.0, 1.0);
   };
@@ -253,7 +253,7 @@ QString DiagnosticsDock::words_of_limits() const {
 
 void DiagnosticsDock::draw_log(QPainter& painter, const QRectF& box) const {
   const Theme& theme = Theme::now();
-  const QRectF inner = heading(painter, box, tr("What guard and station say"));
+  const QRectF inner = heading(painter, box, tr("Messages of the guard and the station"));
   set_font(painter, label_size);
   double y = inner.top() + 12.0;
   if (const QString words = words_of_limits(); !words.isEmpty()) {

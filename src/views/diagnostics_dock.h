@@ -11,8 +11,8 @@
 
 namespace bodkin::views {
 
-// For researchers: how long a tick takes and how late it begins, the numbers of the force model with its wall beside
-// the tip, the energy that the hand has given, and what the guard did and why.
+// For researchers: the duration and lateness of ticks, the numbers of the force model with its wall next to the tip,
+// the energy given by the hand, and the actions of the guard with their reasons.
 class DiagnosticsDock : public View {
   Q_OBJECT
  public:
@@ -22,8 +22,8 @@ class DiagnosticsDock : public View {
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   const GuardLog& log() const { return log_; }
-  // mm that the wall of the force model lies ahead of the tip; nothing for a model without a wall.
-  std::optional<double> wall_ahead() const;
+  // mm by which the force model's wall is ahead of the tip; empty for a model without a wall.
+  std::optional<double> wall_distance() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -20,7 +20,7 @@ constexpr double worth_zooming = 6.0;                    // pixels
 
 }  // namespace
 
-void MetTissues::add(double depth, anatomy::TissueId tissue) {
+void CrossedTissues::add(double depth, anatomy::TissueId tissue) {
   constexpr double deepest = 1000.0;  // mm
   if (!(depth > 0.0 && depth < deepest) || tissue == anatomy::tissue::air) return;
   const auto piece = static_cast<std::size_t>(depth / step);
@@ -28,7 +28,7 @@ void MetTissues::add(double depth, anatomy::TissueId tissue) {
   by_depth_[piece] = tissue;
 }
 
-std::vector<TissueBand> MetTissues::bands() const {
+std::vector<TissueBand> CrossedTissues::bands() const {
   std::vector<TissueBand> bands;
   for (std::size_t i = 0; i < by_depth_.size(); ++i) {
     if (by_depth_[i] == not_met) continue;
@@ -151,7 +151,7 @@ void ForceChart::show_frame(const Frame& frame, const Changes& changes) {
   take(frame);
   stale_ = stale_ || changes.force || changes.needle || changes.tissue || changes.attempt || changes.theme ||
            !frame.events.empty();
-  // A curve is not read faster than this, and it is the dearest of the painted views.
+  // A curve cannot be read faster, and it is the most expensive view to paint.
   constexpr double interval = 1.0 / 30.0;  // s
   if (!stale_ || (frame.clock >= drawn_ && frame.clock - drawn_ < interval)) return;
   drawn_ = frame.clock;

@@ -14,16 +14,16 @@
 
 namespace bodkin::views {
 
-// A tissue that the needle has been in, mm of depth.
+// A tissue that the needle has passed, mm of depth.
 struct TissueBand {
   double from = 0.0, to = 0.0;
   anatomy::TissueId tissue = anatomy::tissue::air;
 };
 
-// The tissues that the tip has met, by depth. Knows nothing of what lies deeper: there is no peeking.
-class MetTissues {
+// The tissues met by the tip, by depth. Contains nothing deeper, to give nothing away.
+class CrossedTissues {
  public:
-  // mm below the skin; others are left out. What was passed since the sample before is of this tissue too.
+  // mm below the skin; others are ignored. The section passed since the previous sample is also of this tissue.
   void add(double depth, anatomy::TissueId tissue);
   void clear() { by_depth_.clear(); }
   std::vector<TissueBand> bands() const;
@@ -34,8 +34,8 @@ class MetTissues {
   std::vector<anatomy::TissueId> by_depth_;  // 255: not met
 };
 
-// The force on the needle against depth or time, with the tissues that the tip has met and flags for what happened.
-// Hovering reads values, a drag zooms in, a double click resets; the menu of the right button has the rest.
+// The force on the needle against depth or time, with the tissues met by the tip and flags for events. Hovering reads
+// values, a drag zooms in, a double click resets; the menu of the right button has the rest.
 class ForceChart : public View {
   Q_OBJECT
  public:
@@ -48,28 +48,28 @@ class ForceChart : public View {
 
   void set_axis(Axis axis);
   Axis axis() const { return axis_; }
-  // The tissues that the tip has met, as bands and by their names.
+  // The tissues met by the tip, as bands and by their names.
   void show_tissues(bool shown);
-  // Besides the force its parts along and across the needle.
+  // In addition to the force its parts along and across the needle.
   void show_components(bool shown);
-  // A number of the force model by its place in Frame::diagnostic_names, on a scale of its own; none: empty.
+  // A number of the force model by its position in Frame::diagnostic_names, on a scale of its own; empty: none.
   void show_diagnostic(std::optional<std::size_t> index);
 
-  // A moment of a finished session, marked by a line; nothing: the newest sample has a dot instead. A click then asks
-  // for another moment.
+  // A time of a finished session, marked by a line; empty: the newest sample has a dot instead. A click then requests
+  // another time.
   struct Cursor {
     double time = 0.0, depth = 0.0, force = 0.0;  // s, mm, N
     bool operator==(const Cursor&) const = default;
   };
   void set_cursor(const std::optional<Cursor>& cursor);
-  // Where the axis of time ends, s; nothing: a little beyond the newest sample.
+  // End of the time axis, s; empty: slightly beyond the newest sample.
   void set_end_of_time(std::optional<double> end);
   // The curve of another session, in a second colour; empty: none.
   void compare_with(std::span<const station::HandSample> samples);
 
-  // Where a place of the axis and a force are drawn, pixels.
+  // Position of a point of the axis and a force, pixels.
   QPointF place(double along, double force) const;
-  // The part of the axis that is shown, mm or s.
+  // The beginning of the visible part of the axis, mm or s.
   double from() const;
   double to() const;
 
@@ -86,7 +86,7 @@ class ForceChart : public View {
   void leaveEvent(QEvent* event) override;
 
  private:
-  // One number against both axes. What was measured on the way out lies apart: it would hide the way in.
+  // One number against both axes. Data of the withdrawal are separate: they would hide those of the insertion.
   struct Trace {
     ChartCurve inwards{0.05}, outwards{0.05}, in_time{0.01};
 
@@ -131,11 +131,11 @@ class ForceChart : public View {
   Trace force_, along_, across_, number_, other_;
   std::optional<Cursor> cursor_;
   std::optional<double> end_of_time_;  // s
-  MetTissues met_;
+  CrossedTissues met_;
   std::vector<Flag> flags_;
   double depth_ = 0.0, time_ = 0.0, now_ = 0.0;  // mm, s, N of the last sample
   bool in_body_ = false;
-  bool out_ = false;      // the needle is being drawn back
+  bool out_ = false;      // the needle is being withdrawn
   double turning_ = 0.0;  // mm, the farthest in the present direction
   double planned_ = 0.0;  // mm, length of the planned path
 

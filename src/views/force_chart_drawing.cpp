@@ -101,7 +101,7 @@ void ForceChart::draw_bands(QPainter& painter) const {
     painter.fillRect(QRectF(left, box.top(), right - left, box.height() - 3.0), colour);
     const QString title = in_words(patient_->patient.library.title(band.tissue));
     const double wide = painter.fontMetrics().horizontalAdvance(title), begin = 0.5 * (left + right - wide);
-    // Named where there is room; a name may reach a little over its neighbours.
+    // Named if there is room; a name may extend slightly over its neighbours.
     if (wide > right - left + 24.0 || begin < written_to + 8.0 || begin + wide > width() - 4.0) continue;
     draw_text(painter, {begin, 16.0}, title, Theme::now().second);
     written_to = begin + wide;
@@ -133,7 +133,7 @@ void ForceChart::draw_curve(QPainter& painter, const ChartCurve& curve, const QC
     if (line.size() > 1) painter.drawPolyline(line);
     line.clear();
   };
-  // Columns that nothing fell into are bridged where the curve's own pieces are wider than a pixel.
+  // Empty columns are bridged where the curve's own pieces are wider than a pixel.
   const double pixel = (to() - from()) / static_cast<double>(count);
   const int longest_gap = 1 + static_cast<int>(std::ceil(curve.step() / pixel));
   int gap = 0;
@@ -159,7 +159,7 @@ void ForceChart::draw_flags(QPainter& painter) const {
   const QRectF box = plot();
   constexpr double pole = 14.0, gap = 6.0;  // pixels
   set_font(painter, label_size);
-  // The newest has its words for certain, an older one where there is room.
+  // The newest is always labelled, an older one if there is room.
   std::vector<QRectF> taken;
   for (auto flag = flags_.rbegin(); flag != flags_.rend(); ++flag) {
     const double x = place(axis_ == Axis::depth ? flag->depth : flag->time, 0.0).x();

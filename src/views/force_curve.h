@@ -19,10 +19,10 @@ struct ForceCurve {
   };
   std::vector<Point> points;
   std::vector<Band> bands;
-  double strongest = 0.0;            // N
-  std::optional<double> first_give;  // N, the force at which the first layer gave way
-  double milliseconds = 0.0;         // that it took
-  std::string trouble;               // why there is no curve: a sentence; empty: there is one
+  double strongest = 0.0;                      // N
+  std::optional<double> first_puncture_force;  // N, puncture force of the first layer
+  double milliseconds = 0.0;                   // to compute it
+  std::string trouble;                         // why there is no curve: a sentence; empty: there is one
 };
 
 }  // namespace bodkin::views

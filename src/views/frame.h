@@ -17,20 +17,19 @@
 #include "core/geometry.h"
 #include "forces/diagnostics.h"
 #include "haptics/servo_records.h"
-#include "imaging/moved_tissue.h"
+#include "imaging/tissue_displacement.h"
 
 namespace bodkin::views {
 
-// How the needle moves the skin where it goes in, for display. The skin at `at` is displaced by `depth` along
-// `inwards`; a negative depth is skin that a needle on its way out pulls up. From there the displacement fades with
-// the distance.
+// The displacement of the skin by the needle, for display. The skin at `at` is displaced by `depth` along `inwards`;
+// a negative depth means skin pulled up by a withdrawing needle. From there the displacement fades with the distance.
 struct SkinDimple {
   Vec3 at = Vec3::Zero();        // LPS mm, on the skin at rest
   Vec3 inwards = Vec3::UnitY();  // unit
-  double depth = 0.0;            // mm, as the force model has it
+  double depth = 0.0;            // mm, from the force model
 };
 
-// What the person should know at once, the worst first.
+// Urgent information for the person, the most urgent first.
 struct Warning {
   enum class Kind : std::uint8_t { nerve, vessel, organ, bone };  // by urgency
   Kind kind = Kind::bone;
@@ -44,10 +43,10 @@ struct LeftNeedle {
   double depth = 0.0;            // mm below the skin along its line
 };
 
-// What the hand that does not hold the needle does, and what this patient lets it do.
+// The state of the hand that does not hold the needle, and its possibilities with this patient.
 struct OtherHandState {
   bool has_finger = false, has_fluid = false, has_syringe = false;  // the patient has the part for it
-  bool finger = false;                                              // feels the skin in the needle's place
+  bool finger = false;                                              // palpates the skin instead of the needle
   bool finger_presses = false;                                      // it is on the skin
   bool stylet_in = false, manometer_on = false;
   bool plunger = false;       // is pressed
@@ -56,8 +55,8 @@ struct OtherHandState {
   bool holds_breath = false;  // is asked to
 };
 
-// All that a view may draw of one moment, plain data: a view computes no force and asks nobody. The spans are valid
-// during View::show_frame() only.
+// Everything that a view may draw at one time, plain data: a view computes no force and queries no other object. The
+// spans are valid only during View::show_frame().
 struct Frame {
   std::uint64_t number = 0;
   State state = State::no_case;
@@ -65,35 +64,35 @@ struct Frame {
   double time = 0.0;          // s since the attempt began
   double time_in_body = 0.0;  // s
 
-  // The needle. `needle` is what is to be drawn: with its tip in the tissue as it lies there, or hovering over the
-  // skin where it would be put down. `hand` is where the hand means it to be, ahead of it by the resistance.
+  // The needle. `needle` is to be drawn: with its tip in the displaced tissue, or hovering over the skin where it
+  // would be put down. `hand` is the hand's commanded pose, ahead of it by the resistance.
   bool has_needle = false;
   Pose needle = Pose::Identity();  // LPS
   Pose hand = Pose::Identity();
-  double drawn_in = 0.0;          // breath, 0 to 1, by which the patient is drawn; in steps that can be seen
-  Vec3 in_tissue = Vec3::Zero();  // LPS mm, where what is at the tip lies when the patient has breathed out
+  double drawn_in = 0.0;          // inspiration, 0 to 1, of the displayed patient; in visible steps
+  Vec3 in_tissue = Vec3::Zero();  // LPS mm, position after expiration of the tissue at the tip
   double depth = 0.0;             // mm along the needle's line below the skin; not more than 0 outside
-  double pushed = 0.0;            // mm of the depth by which the tip has pushed what it touches; 0: none is known
-  Vec3 touched = Vec3::Zero();    // LPS mm, where what it touches lies at rest
+  double pushed = 0.0;            // mm of the depth by which the tip has pushed the tissue; 0: unknown
+  Vec3 touched = Vec3::Zero();    // LPS mm, position at rest of the touched tissue
   double velocity = 0.0;          // mm/s, inwards
-  std::optional<Vec3> entry;      // LPS mm, where the needle went through the skin
+  std::optional<Vec3> entry;      // LPS mm, at the skin
   anatomy::TissueId tissue = anatomy::tissue::air;  // at the tip
   std::string place;                                // its name, or the name of the structure that the tip is in
   SkinDimple dimple;
-  // How tissue has moved anywhere, which slices follow; null: they show it at rest.
-  std::shared_ptr<const imaging::MovedTissue> moved_tissue;
-  std::span<const float> displacements;  // mm, x y z of every point that the scene asked for; empty: a rigid body
+  // Displacement of the tissue, followed by slices; null: they show it at rest.
+  std::shared_ptr<const imaging::TissueDisplacement> moved_tissue;
+  std::span<const float> displacements;  // mm, x y z of every point requested by the scene; empty: a rigid body
 
-  std::span<const LeftNeedle> left_needles;  // the one that was left first stands first
+  std::span<const LeftNeedle> left_needles;  // in the order in which they were left
 
   OtherHandState other_hand;
 
   // Force, N.
-  double force = 0.0;           // that the needle meets, its size
+  double force = 0.0;           // on the needle, magnitude
   double resistance = 0.0;      // along the needle, positive pushes out
-  double constraint = 0.0;      // across it, its size
+  double constraint = 0.0;      // across it, magnitude
   Vec3 applied = Vec3::Zero();  // on the hand, LPS
-  double energy = 0.0;          // N mm that the hand has given to the tissue
+  double energy = 0.0;          // N mm given by the hand to the tissue
   forces::Diagnostics diagnostics{};
   std::span<const forces::DiagnosticName> diagnostic_names;
   std::span<const station::HandSample> samples;   // every tick since the last frame
@@ -102,7 +101,7 @@ struct Frame {
   // The plan.
   std::optional<anatomy::NeedlePath> plan;
   bool is_planning = false;                            // the plan is being made: no needle yet
-  std::vector<std::pair<double, double>> plan_broken;  // mm from its entry: stretches where it must not go
+  std::vector<std::pair<double, double>> plan_broken;  // mm from its entry: forbidden sections
   double target_distance = 0.0;                        // mm from the tip to the target
   double target_tolerance = 3.0;                       // mm
   double off_path = 0.0;                               // mm from the tip to the planned line
@@ -112,20 +111,21 @@ struct Frame {
 
   // The machine.
   std::string device;
-  std::optional<anatomy::DeviceLimits> device_limits;  // nothing: it is not known
+  std::optional<anatomy::DeviceLimits> device_limits;  // empty: unknown
   haptics::GuardState guard = haptics::GuardState::disarmed;
   haptics::GuardReason fault = haptics::GuardReason::none;
   std::uint32_t limits = 0;  // see HandGuard::limits
   double rate = 1000.0;      // Hz of the servo
-  std::uint64_t ticks = 0, late_ticks = 0;
-  double recent_success = 1.0;                       // share of the last hundred ticks that were in time
-  const haptics::ServoTimings* timings = nullptr;    // null: no servo runs
-  const station::LivePicture* ultrasound = nullptr;  // null: none
+  std::uint64_t ticks = 0;
+  std::uint64_t late_ticks = 0;                    // counted every hundred ticks
+  double recent_success = 1.0;                     // fraction of the last hundred ticks that were on time
+  const haptics::ServoTimings* timings = nullptr;  // null: no servo runs
+  const station::LiveImage* ultrasound = nullptr;  // null: none
 
   std::optional<Warning> warning;
   std::string message;                 // the newest sentence of station or guard
-  std::span<const std::string> notes;  // what the station has said since the last frame
-  std::string hint;                    // what to do now, one sentence
+  std::span<const std::string> notes;  // from the station since the last frame
+  std::string hint;                    // the next action, one sentence
   Vec3 crosshair = Vec3::Zero();       // LPS mm, of the slices
   bool follows_tip = true;             // the crosshair is the tip
 };

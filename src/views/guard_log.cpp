@@ -32,7 +32,7 @@ void GuardLog::note(double time, haptics::GuardState state, haptics::GuardReason
     add(time, faulted ? fmt::format("no force: {}", haptics::text_of(fault)) : std::string(haptics::text_of(state)),
         faulted);
   }
-  // A limit is named when it begins, not for every frame that it lasts.
+  // A limit is named when it begins, not in every frame of its duration.
   const std::uint32_t begun = limits & ~limits_;
   for (std::uint32_t bit = 0; bit < static_cast<std::uint32_t>(haptics::GuardReason::count_of_reasons); ++bit) {
     if ((begun >> bit & 1U) == 0) continue;

@@ -11,21 +11,21 @@
 
 namespace bodkin::views {
 
-// What the guard did and why, and what the station says, as lines for people, the newest first. What the guard did is
-// made from what every frame says of it: a state that came and went between two frames is not in it (the session's
-// recording has it).
+// The actions and reasons of the guard, and the station's sentences, as lines for people, the newest first. The
+// guard's actions are derived from every frame's state: a state that came and went between two frames is not included
+// (the session's recording has it).
 class GuardLog {
  public:
   struct Line {
     double time = 0.0;  // s of the session
     std::string words;
-    bool bad = false;  // the force is away
+    bool bad = false;  // no force
     int times = 1;     // in a row
   };
 
   // `limits`: bit n for the reason n that limited the force, see HandGuard::limits().
   void note(double time, haptics::GuardState state, haptics::GuardReason fault, std::uint32_t limits);
-  // A sentence that begins with its own time, "0.1 s: armed", stands at that one.
+  // A sentence that begins with a time, "0.1 s: armed", is placed at that time.
   void note(double time, const std::string& sentence);
   void clear();
 
@@ -41,8 +41,8 @@ class GuardLog {
   std::uint32_t limits_ = 0;
 };
 
-// The share of all values (0 to 1) that fell into each of `count` columns between `from` and `to` seconds on a
-// logarithmic axis. What lies outside is in the first or the last column. All 0 where the histogram is empty.
+// The fraction of all values (0 to 1) in each of `count` columns between `from` and `to` seconds on a logarithmic
+// axis. Values outside are in the first or the last column. All 0 if the histogram is empty.
 std::vector<double> histogram_columns(const haptics::LatencyHistogram& histogram, double from, double to,
                                       std::size_t count);
 

@@ -14,7 +14,7 @@ namespace bodkin::views {
 
 namespace {
 
-constexpr int most_kept = 4096;  // texts
+constexpr int most_cached = 4096;  // texts
 constexpr QChar opening_quote(0x201e);
 const QString words_context = QStringLiteral("Words");
 
@@ -26,7 +26,7 @@ std::filesystem::path file_of(const char* part, const QString& code, const std::
   return folder / fmt::format("{}_{}.ts", part, code.toStdString());
 }
 
-// A <translation>: its text, or its forms of a plural; none when it is marked as unfinished.
+// A <translation>: its text, or its forms of a plural; none if it is marked as unfinished.
 QStringList read_translation(QXmlStreamReader& xml) {
   const bool unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
   QStringList forms;
@@ -119,7 +119,7 @@ QString Language::translate(const char* context, const char* text, const char* /
   const QString where = QString::fromUtf8(context);
   if (where == words_context) return words(source);
   auto found = texts_.constFind(key_of(where, source));
-  // Qt Linguist leaves the namespaces of a class out where it has not seen them.
+  // Qt Linguist omits the namespaces of a class if it has not seen them.
   if (found == texts_.constEnd()) found = texts_.constFind(key_of(where.section(QStringLiteral("::"), -1), source));
   if (found == texts_.constEnd()) return anywhere_.value(source);
   return count == 1 ? found->front() : found->back();
@@ -133,7 +133,7 @@ bool Language::has_entry(const QString& text) const {
 
 // Exactly, then with another first letter, then by a pattern, then sentence by sentence.
 QString Language::words(const QString& text) const {
-  if (const auto kept = lately_.constFind(text); kept != lately_.constEnd()) return *kept;
+  if (const auto kept = cache_.constFind(text); kept != cache_.constEnd()) return *kept;
   const auto exactly = [this](const QString& source) {
     const QStringList forms = texts_.value(key_of(words_context, source));
     return forms.isEmpty() ? QString() : forms.front();
@@ -153,8 +153,8 @@ QString Language::words(const QString& text) const {
       found = (one.isNull() ? first : one) + QLatin1Char(' ') + (other.isNull() ? rest : other);
   }
   if (found.isNull()) found = by_pattern(text);
-  if (lately_.size() >= most_kept) lately_.clear();
-  lately_.insert(text, found);
+  if (cache_.size() >= most_cached) cache_.clear();
+  cache_.insert(text, found);
   return found;
 }
 
@@ -176,7 +176,7 @@ QString Language::by_pattern(const QString& text) const {
           std::find(pattern.numbers.begin(), pattern.numbers.end(), pattern.translation[++i].digitValue());
       if (at == pattern.numbers.end()) continue;
       const QString part = match.captured(static_cast<int>(at - pattern.numbers.begin()) + 1);
-      // What stands in quotation marks or is the name of an element is written so in a file.
+      // Texts in quotation marks and names of elements appear literally in files.
       const bool is_name = made.endsWith(QLatin1Char('<')) || made.endsWith(opening_quote);
       const QString translated = is_name ? QString() : words(part);
       made += translated.isNull() ? part : translated;

@@ -10,28 +10,27 @@
 
 namespace bodkin::views {
 
-// A language of the window besides English. It is read from two files of Qt Linguist as they are, without a step of
-// the build: window_CODE.ts holds the window's own texts, words_CODE.ts those of other modules (tissues, procedures,
-// verdicts, devices). The latter arrive as whole sentences with numbers in them; %1 to %9 of the context "Words"
-// stand for what varies, and are translated in turn; #1 to #9 stand for a number.
+// A language of the window other than English. It is read from two unprocessed files of Qt Linguist: window_CODE.ts
+// contains the window's own texts, words_CODE.ts those of other modules (tissues, procedures, verdicts, devices). The
+// latter are whole sentences with numbers in them; %1 to %9 of the context "Words" represent variable parts, which
+// are also translated; #1 to #9 represent numbers.
 class Language : public QTranslator {
  public:
-  // `code`: "de". Throws InputError, with file and line, when a file is missing or is no .ts.
+  // `code`: "de". Throws InputError, with file and line, when a file is missing or is not a .ts.
   Language(const QString& code, const std::filesystem::path& folder);
 
-  // Null where there is no translation. Of the forms of a plural the first is for one thing, the last for any other
-  // number.
+  // Null without a translation. Of the plural forms the first is for one, the last for any other number.
   QString translate(const char* context, const char* text, const char* comment, int count) const override;
   bool isEmpty() const override { return false; }
-  // True when the dictionary of other modules has an entry of its own for this, which is a text, or a sentence with
-  // %1 to %9 for what varies in it. What is put together from several entries has none.
+  // Whether the dictionary of other modules has an entry of its own for this text, or for a sentence with %1 to %9
+  // for its variable parts. A combination of several entries has none.
   bool has_entry(const QString& text) const;
 
  private:
   struct Pattern {
     QRegularExpression text;
-    QString begins, ends;      // what stands before the first place and after the last one: quickly looked at
-    std::vector<int> numbers;  // of the places, in the order in which they stand in the text
+    QString begins, ends;      // text before the first place and after the last one, for quick rejection
+    std::vector<int> numbers;  // of the places, in the order of the text
     QString translation;
   };
 
@@ -40,16 +39,16 @@ class Language : public QTranslator {
   QString words(const QString& text) const;
   QString by_pattern(const QString& text) const;
 
-  QHash<QString, QStringList> texts_;       // by context and text; several forms of a plural
-  QHash<QString, QString> anywhere_;        // by text alone
-  std::vector<Pattern> patterns_;           // those that say most first
-  mutable QHash<QString, QString> lately_;  // what words() has found, for views draw the same texts over and over
+  QHash<QString, QStringList> texts_;      // by context and text; several forms of a plural
+  QHash<QString, QString> anywhere_;       // only by text
+  std::vector<Pattern> patterns_;          // the most specific first
+  mutable QHash<QString, QString> cache_;  // results of words(), because views draw the same texts repeatedly
 };
 
-// The codes of the languages that the window speaks: "en", and those with both files in the folder.
+// The codes of the window's languages: "en", and those with both files in the folder.
 QStringList languages_in(const std::filesystem::path& folder);
 
-// What another module says, in the language of the window; as it is where the dictionary does not have it.
+// Text of another module in the language of the window; unchanged if the dictionary does not have it.
 QString in_words(const std::string& text);
 
 }  // namespace bodkin::views

@@ -28,9 +28,9 @@ namespace {
 constexpr int part_role = Qt::UserRole,
               section_role = Qt::UserRole + 1;   // number of the surface; name of the section
 constexpr int swatch = 20, swatch_in_list = 12;  // pixels
-constexpr double least_opacity = 0.05;  // under which a part that is shown cannot be told from one that is not
+constexpr double least_opacity = 0.05;           // below it a shown part cannot be told from a hidden one
 
-// Told apart by any eye (theme.cpp).
+// Distinguishable with any colour vision (theme.cpp).
 constexpr std::array<QRgb, 10> swatches = {0xE9DEC6, 0xE0B596, 0xD8202C, 0xD09500, 0xEDEF34,
                                            0x399283, 0x56B4E9, 0x9D4FC6, 0xCC79A7, 0x8A5878};
 
@@ -73,12 +73,13 @@ LookPanel::LookPanel(const QString& place, QWidget* parent)
   parts_->setObjectName(place + QStringLiteral(".parts.list"));
   parts_->viewport()->setObjectName(place + QStringLiteral(".parts.rows"));
   parts_->setAccessibleName(tr("Parts of the patient"));
-  parts_->setToolTip(tr("Tick what is shown; opacity and colour below are those of the row that is chosen"));
+  parts_->setToolTip(tr("Tick the parts to show; opacity and colour below belong to the chosen row"));
   parts_->setHeaderHidden(true);
   parts_->setFrameShape(QFrame::NoFrame);
   parts_->setIndentation(16);
   parts_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  connect(parts_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item) { wish_shown(*item); });
+  connect(parts_, &QTreeWidget::itemChanged, this,
+          [this](const QTreeWidgetItem* item) { request_visibility(*item); });
   connect(parts_, &QTreeWidget::currentItemChanged, this, [this] { refresh_chosen(); });
   rows->addWidget(parts_, 1);
   auto* shade = new QHBoxLayout;
@@ -90,7 +91,7 @@ LookPanel::LookPanel(const QString& place, QWidget* parent)
     scene::PartLook change;
     change.opacity = 0.01 * value;
     if (*change.opacity >= least_opacity) change.shown = true;
-    wish(change);
+    request_change(change);
   });
   shade->addWidget(small_heading(tr("Opacity")));
   shade->addWidget(opacity_, 1);
@@ -127,7 +128,7 @@ QWidget* LookPanel::make_colours() {
     connect(patch, &QPushButton::clicked, this, [this, colour] {
       scene::PartLook change;
       change.colour = colour & 0xFFFFFFU;
-      wish(change);
+      request_change(change);
     });
     row->addWidget(patch);
   }
@@ -151,23 +152,23 @@ QWidget* LookPanel::make_saved() {
   saved_->setAccessibleName(tr("Looks saved with this patient"));
   saved_->setToolTip(tr("Choose a look that was saved with this patient"));
   connect(saved_, qOverload<int>(&QComboBox::activated), this,
-          [this](int) { emit saved_look_wished(saved_->currentData().toString()); });
+          [this](int) { emit saved_look_requested(saved_->currentData().toString()); });
   first->addWidget(saved_, 1);
   auto* remove = button("remove", tr("Delete"), tr("Delete this look from the patient"));
-  connect(remove, &QPushButton::clicked, this, [this] { emit remove_wished(saved_->currentData().toString()); });
+  connect(remove, &QPushButton::clicked, this, [this] { emit remove_requested(saved_->currentData().toString()); });
   first->addWidget(remove);
   rows->addLayout(first);
   auto* second = new QHBoxLayout;
   name_ = new QLineEdit;
   name_->setObjectName(place_ + QStringLiteral(".parts.name"));
   name_->setAccessibleName(tr("Name of the look"));
-  name_->setToolTip(tr("What this look is to be called; a name that is there already is replaced"));
+  name_->setToolTip(tr("Name of this look; a look that already has this name is replaced"));
   name_->setPlaceholderText(tr("Name"));
   name_->setMaxLength(100);
   second->addWidget(name_, 1);
   auto* save = button("save", tr("Save"), tr("Save this look with the patient, under this name"));
   const auto save_it = [this] {
-    emit save_wished(name_->text().trimmed(), with_view_->isChecked(), opens_with_->isChecked());
+    emit save_requested(name_->text().trimmed(), with_view_->isChecked(), opens_with_->isChecked());
   };
   connect(save, &QPushButton::clicked, this, save_it);
   connect(name_, &QLineEdit::returnPressed, this, save_it);
@@ -175,10 +176,10 @@ QWidget* LookPanel::make_saved() {
   rows->addLayout(second);
   with_view_ = new QCheckBox(tr("with this direction of view"));
   with_view_->setObjectName(place_ + QStringLiteral(".parts.with_view"));
-  with_view_->setToolTip(tr("The look also says from where the patient is seen"));
+  with_view_->setToolTip(tr("The look also keeps the direction of view"));
   opens_with_ = new QCheckBox(tr("the patient opens with it"));
   opens_with_->setObjectName(place_ + QStringLiteral(".parts.opens_with"));
-  opens_with_->setToolTip(tr("The next time this patient is opened, he looks like this"));
+  opens_with_->setToolTip(tr("The patient is shown like this when opened again"));
   for (QCheckBox* box : {with_view_, opens_with_}) {
     box->setAccessibleName(box->text());
     rows->addWidget(box);
@@ -252,25 +253,25 @@ void LookPanel::refresh_chosen() {
   percent_->setText(QStringLiteral("%1 %").arg(opacity_->value()));
 }
 
-void LookPanel::wish(const scene::PartLook& change) {
+void LookPanel::request_change(const scene::PartLook& change) {
   const QTreeWidgetItem* const item = parts_->currentItem();
   if (item == nullptr || surfaces_ == nullptr) return;
   const scene::PatientSurface& surface = surfaces_->parts[static_cast<std::size_t>(item->data(0, part_role).toInt())];
   const std::string section = item->data(0, section_role).toString().toStdString();
   scene::PartLook whole = change;
   whole.name = section.empty() ? surface.name : section;
-  emit look_wished(scene::changed(look_, surface, whole));
+  emit look_requested(scene::changed(look_, surface, whole));
 }
 
-void LookPanel::wish_shown(const QTreeWidgetItem& item) {
+void LookPanel::request_visibility(const QTreeWidgetItem& item) {
   if (surfaces_ == nullptr) return;
   const scene::PatientSurface& surface = surfaces_->parts[static_cast<std::size_t>(item.data(0, part_role).toInt())];
   const std::string section = item.data(0, section_role).toString().toStdString();
   scene::PartLook change{section.empty() ? surface.name : section, item.checkState(0) != Qt::Unchecked, {}, {}};
-  // What is ticked must be seen, also where the preset or the slider had made it invisible.
+  // A ticked part must be visible, even if the preset or the slider had made it invisible.
   const float opacity = scene::appearance(look_, surface, section).opacity;
   if (*change.shown && opacity < static_cast<float>(least_opacity)) change.opacity = 1.0;
-  emit look_wished(scene::changed(look_, surface, change));
+  emit look_requested(scene::changed(look_, surface, change));
 }
 
 void LookPanel::choose_colour() {
@@ -281,7 +282,7 @@ void LookPanel::choose_colour() {
   connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
     scene::PartLook change;
     change.colour = colour.rgb() & 0xFFFFFFU;
-    wish(change);
+    request_change(change);
   });
   dialog->show();
 }
@@ -298,7 +299,7 @@ void LookPanel::set_saved(const scene::CaseLooks& looks) {
 }
 
 void LookPanel::keyPressEvent(QKeyEvent* event) {
-  // Keys of a list and of a text belong to it, not to the view below.
+  // A list or a text receives its keys itself, not the view below.
   event->accept();
   if (event->key() == Qt::Key_Escape || event->key() == Qt::Key_O) emit closed();
 }

@@ -16,12 +16,12 @@ class QTreeWidgetItem;
 namespace bodkin::views {
 
 // The parts of the patient in 3-D, surface by surface and structure by structure: a tick shows or hides one, opacity
-// and colour are those of the row that is chosen. Below, the looks that are saved with the case. Emits what the
-// person wishes; View3d does it.
+// and colour are those of the selected row. Below, the looks saved with the case. Emits the person's requests; View3d
+// executes them.
 class LookPanel : public QWidget {
   Q_OBJECT
  public:
-  // `place`: what the object names begin with: "practise" for "practise.parts".
+  // `place`: prefix of the object names: "practise" for "practise.parts".
   explicit LookPanel(const QString& place, QWidget* parent);
 
   // Null: none. The surfaces must stay as long as they are set.
@@ -31,10 +31,10 @@ class LookPanel : public QWidget {
 
  signals:
   void closed();  // by Escape
-  void look_wished(const bodkin::scene::Look& look);
-  void saved_look_wished(const QString& name);
-  void save_wished(const QString& name, bool with_view, bool opens_with);
-  void remove_wished(const QString& name);
+  void look_requested(const bodkin::scene::Look& look);
+  void saved_look_requested(const QString& name);
+  void save_requested(const QString& name, bool with_view, bool opens_with);
+  void remove_requested(const QString& name);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -46,9 +46,9 @@ class LookPanel : public QWidget {
   void refresh();
   void refresh_item(QTreeWidgetItem& item, const scene::PatientSurface& surface, const std::string& section);
   void refresh_chosen();
-  // Of the row that is chosen.
-  void wish(const scene::PartLook& change);
-  void wish_shown(const QTreeWidgetItem& item);
+  // Of the selected row.
+  void request_change(const scene::PartLook& change);
+  void request_visibility(const QTreeWidgetItem& item);
   void choose_colour();
 
   QString place_;

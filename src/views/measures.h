@@ -25,20 +25,20 @@ double value_of(const Measure& measure);
 // "50.0 mm", "90.0°"
 std::string text_of(const Measure& measure);
 
-// What was measured in a patient, and what is being measured. All slices show the same list.
+// The measures of a patient, and the one in progress. All slices show the same list.
 class Measures {
  public:
-  // The next click is the first place of a measure of this kind; what was begun is dropped.
+  // The next click is the first place of a measure of this kind; an unfinished one is dropped.
   void begin(Measure::Kind kind);
   void cancel() { begun_.reset(); }
-  // A measure was begun and waits for places.
+  // Whether a measure is in progress.
   bool waiting() const { return begun_.has_value(); }
-  // A place of the measure that was begun; the last one ends it. Nothing happens where none was begun.
+  // Adds a place to the measure in progress; the last one completes it. No effect without one.
   void add(const Vec3& place);
-  // The places so far and `pointer` as the next one: what is drawn while somebody measures.
+  // The places so far and `pointer` as the next one, for drawing during the measurement.
   std::optional<std::vector<Vec3>> preview(const Vec3& pointer) const;
 
-  // The measure as it would be with `pointer` as its last place; nothing while more than one is missing.
+  // The measure with `pointer` as its last place; empty while more than one is missing.
   std::optional<Measure> with_next(const Vec3& pointer) const;
 
   const std::vector<Measure>& all() const { return all_; }
@@ -52,7 +52,7 @@ class Measures {
  private:
   std::vector<Measure> all_;
   std::optional<Measure> begun_;
-  std::size_t placed_ = 0;  // places of `begun_` that are known
+  std::size_t placed_ = 0;  // known places of `begun_`
 };
 
 // mm from a point to a segment.

@@ -7,7 +7,7 @@ namespace bodkin::views {
 namespace {
 
 constexpr double coarsest = 6.0, longest_step = 2.0;     // times the finest
-constexpr double finer_below = 0.6;                      // of the time that there is: else it would swing to and fro
+constexpr double finer_below = 0.6;                      // of the available time: otherwise it would oscillate
 constexpr double largest_change = 1.6, aimed_at = 0.85;  // of the time
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace bodkin::views {
 
-// Four numbers: force along the needle, way to the target, angle to the plan, time in the body.
+// Four numbers: force along the needle, distance to the target, angle to the plan, time in the body.
 class Numbers : public View {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class Numbers : public View {
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   enum Place { force, target, angle, time, places };
-  // The number as it is written, without its unit: "2.60", "0:22"; a dash where there is none.
+  // The displayed number, without its unit: "2.60", "0:22"; a dash if there is none.
   const QString& text(Place place) const { return cards_[place].text; }
 
  protected:

@@ -9,8 +9,8 @@
 
 namespace bodkin::views {
 
-// The opacity of each HU as a curve over the patient's histogram. Points are dragged; a double click on the ground
-// makes one, a right click or Delete takes one away.
+// The opacity of each HU as a curve over the patient's histogram. Points are dragged; a double click on the
+// background adds one, a right click or Delete removes one.
 class OpacityCurve : public QWidget {
   Q_OBJECT
  public:
@@ -21,8 +21,8 @@ class OpacityCurve : public QWidget {
   void set_function(const imaging::TransferFunction& function);
   const imaging::TransferFunction& function() const { return function_; }
 
-  // Where a HU and an opacity lie in the widget, and what lies at a place. The scale of opacity is stretched at the
-  // bottom, where a curve of soft tissue lives.
+  // Position of a HU and an opacity in the widget, and the inverse. The scale of opacity is stretched at the bottom,
+  // where curves of soft tissue are.
   QPointF place(double hounsfield, double opacity) const;
   double hounsfield_at(double x) const;
   double opacity_at(double y) const;

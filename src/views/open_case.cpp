@@ -18,8 +18,7 @@ std::string place_name(const anatomy::Case& patient, const Vec3& point) {
   const std::uint16_t label = anatomy::nearest(patient.structures, point, std::uint16_t{0});
   for (const anatomy::Structure& structure : patient.description.structures) {
     if (structure.label != label || label == 0) continue;
-    // A label that is called spinal_cord covers all that the canal holds; the tissue tells fluid, roots and cord
-    // apart.
+    // A label named spinal_cord covers the whole canal; the tissue distinguishes fluid, roots and cord.
     const bool is_canal = structure.name == "spinal_cord" || structure.tissue == "spinal_canal";
     const bool is_nervous = tissue == anatomy::tissue::nerve || tissue == anatomy::tissue::spinal_cord;
     return is_canal || is_nervous ? title : readable_structure(structure.name);

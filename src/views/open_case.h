@@ -7,8 +7,8 @@
 
 namespace bodkin::views {
 
-// An opened patient, unchanged while somebody holds it. CT, labels and tissues are those of the case; a CT or labels
-// may be absent (empty volumes), the tissues are not.
+// An opened patient, immutable while it is shared. CT, labels and tissues are those of the case; a CT or labels may
+// be absent (empty volumes), the tissues may not.
 struct OpenCase {
   anatomy::Case patient;
   std::filesystem::path folder;
@@ -18,11 +18,11 @@ struct OpenCase {
   const anatomy::CaseDescription& description() const noexcept { return patient.description; }
 };
 
-// The name of what lies at `point` (LPS mm) for people: the labelled structure ("vertebra L3"), or else the tissue.
+// The name of the structure at `point` (LPS mm) for people: labelled ("vertebra L3"), or else the tissue.
 std::string place_name(const anatomy::Case& patient, const Vec3& point);
 
-// The same for a tip that touches `tissue` of the deformed material, which lies at `point` at rest: at a boundary
-// that is what stands before it, along `inwards`.
+// As above, for a tip that touches `tissue` of the deformed material, which is at `point` at rest: at a boundary that
+// of the tissue in front of it, along `inwards`.
 std::string place_name(const anatomy::Case& patient, const Vec3& point, const Vec3& inwards,
                        anatomy::TissueId tissue);
 

@@ -61,7 +61,7 @@ void draw_orientation_cube(QPainter& painter, const QRectF& place, const Mat3& a
                                      static_cast<int>(92 + 74 * light), 235));
     painter.drawPolygon(corners);
     if (light < 0.25) continue;
-    // The letter lies on the face: a unit square is laid onto it.
+    // The letter lies on the face: a unit square is mapped onto it.
     QTransform onto;
     const QPolygonF unit(QVector<QPointF>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     if (!QTransform::quadToQuad(unit, corners, onto)) continue;

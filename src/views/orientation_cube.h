@@ -9,10 +9,10 @@
 
 namespace bodkin::views {
 
-// A cube that is turned as the patient is, with a letter on each face: A anterior, P posterior, L left, R right,
-// S superior, I inferior. `axes`: of the camera.
+// A cube with the patient's orientation and a letter on each face: A anterior, P posterior, L left, R right, S
+// superior, I inferior. `axes`: of the camera.
 void draw_orientation_cube(QPainter& painter, const QRectF& place, const Mat3& axes);
-// The view from the face under a pixel.
+// The view of the face under a pixel.
 std::optional<scene::StandardView> orientation_cube_face(const QRectF& place, const Mat3& axes, const QPointF& at);
 
 }  // namespace bodkin::views

@@ -10,7 +10,7 @@ PathOffset path_offset(const anatomy::NeedlePath& path, const Vec3& tip, const V
   PathOffset offset;
   if (!(path.length() > 0.0)) return offset;
   const Vec3 along = path.direction();
-  // Up in the picture: the patient's head, or the front for a path that runs along the body.
+  // Upwards in the image: the patient's head, or the front for a path along the body.
   const Vec3 head = std::abs(along.z()) < 0.9 ? Vec3::UnitZ() : Vec3(-Vec3::UnitY());
   const Vec3 up = (head - head.dot(along) * along).normalized();
   const Vec3 right = along.cross(up);
@@ -21,11 +21,11 @@ PathOffset path_offset(const anatomy::NeedlePath& path, const Vec3& tip, const V
   const double forwards = axis.dot(along);
   const Vec3 back = std::abs(forwards) > 1e-6 ? Vec3(tip - along.dot(tip - path.entry) / forwards * axis) : tip;
   offset.hub = across(back);
-  offset.beside = offset.tip.norm();
+  offset.distance = offset.tip.norm();
   offset.angle = std::atan2(axis.cross(along).norm(), forwards) / degree;
   offset.to_target = along.dot(path.target - tip);
   constexpr double worth_saying = 0.5;  // mm
-  if (offset.beside > worth_saying) {
+  if (offset.distance > worth_saying) {
     const Vec3 away = offset.tip.x() * right + offset.tip.y() * up;
     Eigen::Index largest = 0;
     away.cwiseAbs().maxCoeff(&largest);

@@ -18,7 +18,7 @@ constexpr double shown_shaft = 40.0;  // mm of the needle
 
 PathPicture::PathPicture(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Path without anatomy"));
-  setToolTip(tr("The way of the tip; the patient of this session is not there"));
+  setToolTip(tr("Path of the tip; the patient of this session is not available"));
 }
 
 void PathPicture::set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) {

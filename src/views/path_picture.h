@@ -10,8 +10,8 @@
 
 namespace bodkin::views {
 
-// The way of the tip without anatomy, for a session whose patient is not at hand: from the patient's left and from
-// behind, to one scale, with the plan and the needle of the moment.
+// The path of the tip without anatomy, for a session whose patient is not available: from the patient's left and from
+// behind, to one scale, with the plan and the needle at the selected time.
 class PathPicture : public QWidget {
  public:
   explicit PathPicture(QWidget* parent = nullptr);

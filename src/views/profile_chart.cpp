@@ -40,7 +40,7 @@ void ProfileChart::show_curves(std::shared_ptr<const ForceCurve> now, std::share
   update();
 }
 
-// Scales that do not jump with every change: to the next whole number of newtons, from both curves.
+// Scales that do not jump with every change: rounded up to whole newtons, from both curves.
 void ProfileChart::find_scale() {
   double force = 1.0, depth = 10.0, least = 0.0;
   for (const ForceCurve* const curve : {now_.get(), reference_.get()}) {

@@ -8,7 +8,7 @@
 
 namespace bodkin::views {
 
-// Force against depth of one insertion, now (solid) and as it was (dashed), over bands of the tissues.
+// Force against depth of one insertion, current (solid) and previous (dashed), over bands of the tissues.
 class ProfileChart : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class ProfileChart : public QWidget {
   // Either may be null.
   void show_curves(std::shared_ptr<const ForceCurve> now, std::shared_ptr<const ForceCurve> reference);
 
-  // Where a depth (mm) and a force (N) are drawn, pixels of the widget.
+  // Position of a depth (mm) and a force (N), pixels of the widget.
   QPointF place(double depth, double force) const;
 
  protected:

@@ -202,7 +202,7 @@ void ScanViewer::mousePressEvent(QMouseEvent* event) {
   if (const auto point = point_at(pointer_)) return set_mark(point);
   const QRectF side = sagittal_place();
   if (!has_slice() || !side.contains(pointer_)) return;
-  // A click beside goes to the slice that is there.
+  // A click in the sagittal picture shows the slice at that height.
   const double z = side_.top - (pointer_.y() - side.top()) / side.height() * side_.pixel * side_.height;
   const imaging::ScanSlice* const found = scan_->slice_at(z);
   if (found != nullptr) show_slice(static_cast<int>(found - scan_->slices.data()));

@@ -9,14 +9,14 @@
 
 namespace bodkin::views {
 
-// The slices of a scan: axial, and next to it the sagittal picture that they make, in which gaps stay black. The
-// wheel and the arrow keys go through them, a click marks a lesion, a right drag sets the window.
+// The slices of a scan: axial, and next to it the sagittal reformat, in which gaps stay black. The wheel and the
+// arrow keys scroll through them, a click marks a lesion, a right drag sets the window.
 class ScanViewer : public QWidget {
   Q_OBJECT
  public:
   explicit ScanViewer(QWidget* parent = nullptr);
 
-  // Null: none. More slices may have come since the last call.
+  // Null: none. More slices may have been added since the last call.
   void set_scan(std::shared_ptr<const imaging::CtScan> scan);
   void show_slice(int index);
   int slice() const { return slice_; }
@@ -26,7 +26,7 @@ class ScanViewer : public QWidget {
   void advance(double clock);  // s, of the cine
   void set_mark(const std::optional<Vec3>& mark);
   const std::optional<Vec3>& mark() const { return mark_; }
-  // Where a place of the shown slice is on the widget, and back (LPS mm).
+  // Position of a place of the shown slice in the widget, and back (LPS mm).
   QPointF place(const Vec3& point) const;
   std::optional<Vec3> point_at(const QPointF& at) const;
 

@@ -12,7 +12,7 @@
 namespace bodkin::views {
 
 // The overview before a scan, with the range as a box: its edges are dragged, its middle moves it, and every slice is
-// drawn as thick as it will be, so that gaps are seen.
+// drawn with its thickness, so that gaps are visible.
 class ScoutWidget : public QWidget {
   Q_OBJECT
  public:
@@ -22,7 +22,7 @@ class ScoutWidget : public QWidget {
   void set_view(imaging::ScoutView view);
   imaging::ScoutView view() const { return view_; }
   void set_protocol(const imaging::ScanProtocol& protocol);
-  // The slice that is looked at, mm along z; nothing: none.
+  // The displayed slice, mm along z; empty: none.
   void set_mark(std::optional<double> z);
   // The plan and the needle, from hub to tip, drawn as lines.
   void set_lines(const std::optional<anatomy::NeedlePath>& plan, const std::optional<anatomy::NeedlePath>& needle);

@@ -71,7 +71,7 @@ void SegmentRelief::find_axes() {
   update();
 }
 
-// mm from `from` along the view to the first voxel of the structure.
+// Distance from `from` along the view to the first voxel of the structure, mm.
 double SegmentRelief::depth_along(const Vec3& from) const {
   const anatomy::Grid& lattice = labels_->grid;
   const double step = 0.5 * lattice.spacing.minCoeff();
@@ -118,7 +118,7 @@ void SegmentRelief::make_picture() {
       depth_of(column, row) = depth_along(from);
     }
   }
-  // The slope of the surface by its depths two rays apart: voxels are stairs.
+  // The slope of the surface from depths two rays apart, because voxels form stairs.
   const auto slope = [&](int column, int row, int dx, int dy) {
     const int x1 = std::clamp(column + 2 * dx, 0, columns - 1), y1 = std::clamp(row + 2 * dy, 0, rows - 1);
     const int x0 = std::clamp(column - 2 * dx, 0, columns - 1), y0 = std::clamp(row - 2 * dy, 0, rows - 1);

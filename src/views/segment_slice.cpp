@@ -205,7 +205,7 @@ void SegmentSlice::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
 }
 
-// One voxel further, along the lattice's axis that the plane cuts most squarely.
+// One voxel farther along the lattice's axis most perpendicular to the plane.
 void SegmentSlice::scroll(int slices) {
   if (patient_ == nullptr) return;
   const anatomy::Grid& lattice = patient_->patient.ct.grid;

@@ -12,24 +12,24 @@
 
 namespace bodkin::views {
 
-// One slice of a segmentation while it is corrected: the CT, the structures over it, the brush at the pointer. Mouse:
-// left does what the tool does, right drag sets the window, middle drag moves the picture, the wheel goes through the
-// slices, with Ctrl it zooms.
+// One slice of a segmentation under correction: the CT, the structures over it, the brush at the pointer. Mouse: left
+// applies the tool, right drag sets the window, middle drag moves the image, the wheel scrolls through the slices,
+// with Ctrl it zooms.
 class SegmentSlice : public QWidget {
   Q_OBJECT
  public:
   explicit SegmentSlice(SliceKind kind, QWidget* parent = nullptr);
 
   SliceKind kind() const { return kind_; }
-  // `labels` lie on the CT's lattice and outlive the view or the next call; null: none.
+  // `labels` lie on the CT's lattice and must outlive the view or the next call; null: none.
   void set_case(std::shared_ptr<const OpenCase> patient, const anatomy::LabelVolume* labels);
-  // `version` tells whether the labels have changed. `colours`: 0xRRGGBB of each label; `active` has an outline.
+  // `version` shows whether the labels have changed. `colours`: 0xRRGGBB of each label; `active` has an outline.
   void show_labels(std::uint64_t version, std::uint16_t active, const std::vector<std::uint32_t>& colours);
   void set_crosshair(const Vec3& point);
   void set_window(double window, double level);  // HU
-  // The outline of the brush at the pointer, mm; nothing: a tool without one.
+  // The outline of the brush at the pointer, mm; empty: a tool without one.
   void set_brush(const std::optional<double>& radius);
-  // Structures over the CT or the CT alone.
+  // Shows structures over the CT or only the CT.
   void set_covered(bool on);
 
   const imaging::SlicePlane& plane() const { return plane_; }

@@ -43,7 +43,7 @@ void SliceImage::set_case(std::shared_ptr<const OpenCase> patient) {
 }
 
 const QImage& SliceImage::picture(const imaging::SlicePlane& plane, const SliceLook& look, double drawn_in,
-                                  std::shared_ptr<const imaging::MovedTissue> moved) {
+                                  std::shared_ptr<const imaging::TissueDisplacement> moved) {
   if (patient_ == nullptr || plane.width < 1 || plane.height < 1) {
     picture_ = QImage();
     return picture_;
@@ -74,8 +74,8 @@ void SliceImage::sample(const imaging::SlicePlane& plane, const SliceLook& look)
   sample_forbidden(plane, *places_, forbidden_);
 }
 
-// The same in tiles, in each of which the way back to the patient at rest, who has breathed out, is taken as affine:
-// across 8 pixels of a patient's slice breath is that to a hundredth of a millimetre, and what a body does nearly.
+// The same in tiles, in each of which the map back to the patient at rest, who has breathed out, is taken as affine:
+// over 8 pixels of a slice this is accurate to a hundredth of a millimetre for breath, and nearly so for a body.
 void SliceImage::sample_moved(const imaging::SlicePlane& plane, const SliceLook& look) {
   constexpr int side = 8;  // pixels
   const std::size_t pixels = static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height);

@@ -8,7 +8,7 @@ namespace bodkin::views {
 
 namespace {
 
-// The continuous index of a pixel is affine in its column and row: three vectors instead of a rotation a pixel.
+// The continuous index of a pixel is affine in its column and row: three vectors instead of a rotation per pixel.
 struct IndexSteps {
   Vec3 first, column, row, depth;
 
@@ -19,8 +19,8 @@ struct IndexSteps {
         depth(grid.to_index(plane.corner + plane.normal()) - first) {}
 };
 
-// Trilinear at a continuous index; the border and what lies beyond it as anatomy::linear_at_index has them. Most
-// pixels lie inside, where eight neighbours exist and no axis needs to be looked after.
+// Trilinear at a continuous index; at the border and beyond as anatomy::linear_at_index. Most pixels lie inside,
+// where eight neighbours exist and no axis needs a check.
 double value_at(const anatomy::CtVolume& ct, const Vec3& index) {
   const std::array<int, 3>& size = ct.grid.size;
   const double x = index.x(), y = index.y(), z = index.z();

@@ -9,7 +9,7 @@
 
 namespace bodkin::views {
 
-// How the voxels of a thick slice become one pixel.
+// Conversion of the voxels of a thick slice into one pixel.
 enum class SlabKind { mean, maximum };
 
 // The thickness of a slice, half of it before the plane and half behind. 0: the plane itself.
@@ -21,26 +21,26 @@ struct Slab {
 };
 
 // HU of every pixel of a plane, row by row: trilinear, NaN outside the CT. A slab is sampled at least every
-// millimetre; samples outside the CT do not count.
+// millimetre; samples outside the CT are ignored.
 void sample_hounsfield(const imaging::SlicePlane& plane, const anatomy::CtVolume& ct, const Slab& slab,
                        std::vector<float>& hounsfield);
 
-// The same for a patient without a CT: the HU that is typical of each tissue.
+// As above, for a patient without a CT: the typical HU of each tissue.
 void sample_typical_hounsfield(const imaging::SlicePlane& plane, const anatomy::TissueVolume& tissues,
                                const anatomy::TissueLibrary& library, std::vector<float>& hounsfield);
 
-// The tissue's colour over a pixel: 0xAARRGGBB, premultiplied, as QImage::Format_ARGB32_Premultiplied has it.
+// The tissue's colour over a pixel: 0xAARRGGBB, premultiplied, as in QImage::Format_ARGB32_Premultiplied.
 using Tint = std::uint32_t;
 
-// What each tissue adds to the grey picture. Tissues that a CT shows well by itself (bone, fat, muscle, gas) add
-// nothing, so that what is hard to tell apart stands out. `opacity`: 0 to 1 of the others.
+// The tint of each tissue on the grey image. Tissues that are clearly visible in CT (bone, fat, muscle, gas) have
+// none, to emphasise those that are hard to distinguish. `opacity`: 0 to 1 of the others.
 std::array<Tint, 256> tissue_tints(const std::array<std::uint32_t, 256>& colours, double opacity);
 
 // The tint of every pixel of a plane, row by row: linear between voxels, so that borders are smooth. None outside.
 void sample_tints(const imaging::SlicePlane& plane, const anatomy::TissueVolume& tissues,
                   const std::array<Tint, 256>& tints, std::vector<Tint>& pixels);
 
-// Where a needle must not go: cord, nerve and vessel, and the structures that the case calls critical.
+// Regions forbidden to a needle: cord, nerve and vessel, and the critical structures of the case.
 class ForbiddenPlaces {
  public:
   explicit ForbiddenPlaces(const anatomy::Case& patient);
@@ -52,12 +52,12 @@ class ForbiddenPlaces {
   std::vector<bool> critical_;  // by structure label
 };
 
-// 1 for every pixel of a plane that lies where a needle must not go, else 0, row by row. Two by two pixels share the
-// place between them: it is for a hatch that is coarser.
+// 1 for every pixel of a plane in a forbidden region, else 0, row by row. Two by two pixels share the position
+// between them: this suffices for the coarser hatching.
 void sample_forbidden(const imaging::SlicePlane& plane, const ForbiddenPlaces& places,
                       std::vector<std::uint8_t>& forbidden);
 
-// The grey, 0 to 255, that a window shows for a value: black at level - window / 2 and below. NaN is black.
+// The grey level, 0 to 255, of a value in a window: black at level - window / 2 and below. NaN is black.
 std::uint8_t grey_of(double hounsfield, double window, double level);
 
 }  // namespace bodkin::views

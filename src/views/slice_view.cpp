@@ -60,7 +60,7 @@ void SliceView::show_whole_procedure() {
   const anatomy::Grid& lattice = patient_->patient.tissues.grid;
   middle_ = lattice.to_patient(0.5 * Vec3(lattice.size[0] - 1, lattice.size[1] - 1, lattice.size[2] - 1));
   if (const auto& path = patient_->description().procedure.path; path && !hides_plan_) {
-    // The target a little off the middle, so that the way from the skin is seen.
+    // The target slightly off the middle, so that the path from the skin is visible.
     constexpr double towards_the_entry = 0.3;
     middle_ = path->target + towards_the_entry * (path->entry - path->target);
     placed_ = true;
@@ -111,7 +111,7 @@ void SliceView::zoom(double factor) {
   update();
 }
 
-// Moves the plane so that it holds a point. False where that is not worth another picture.
+// Moves the plane through a point. False if that is not worth another image.
 bool SliceView::follow(const Vec3& point) {
   const imaging::SlicePlane now = plane();
   const Vec3 next = middle_that_shows(now, middle_, point, edge_share);
@@ -124,13 +124,13 @@ void SliceView::show_frame(const Frame& frame, const Changes& changes) {
   if (patient_ == nullptr) return;
   shown_.clock = frame.clock;
   if (cine_) step_cine(frame.clock);
-  const bool follows_anew = frame.follows_tip != shown_.follows;  // the tip, or the crosshair where it was left
+  const bool follows_anew = frame.follows_tip != shown_.follows;  // the tip, or the crosshair at its last place
   const bool redraw = follows_anew || frame.drawn_in != shown_.drawn_in ||
                       frame.moved_tissue != shown_.moved_tissue || changes.needle || changes.tissue ||
                       changes.state || changes.plan || changes.crosshair || changes.warning || changes.theme ||
                       changes.attempt;
   if (!redraw) return;
-  // An attempt without a plan to be seen must not begin with the slices at it.
+  // An attempt with a hidden plan must not begin with the slices at it.
   if (const bool hides = !frame.plan; changes.attempt && hides != hides_plan_) {
     hides_plan_ = hides;
     show_whole_procedure();
@@ -342,7 +342,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if (patient_ == nullptr || notches == 0.0) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
-    // What is under the pointer stays there.
+    // The point under the pointer stays there.
     const Vec3 before = to_patient(event->position());
     zoom(std::pow(zoom_a_notch, notches));
     middle_ += before - to_patient(event->position());

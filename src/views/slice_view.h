@@ -15,11 +15,11 @@
 
 namespace bodkin::views {
 
-// A slice of the patient with needle, path, target, crosshair and measures upon it.
+// A slice of the patient with needle, path, target, crosshair and measures.
 //
 // Mouse: left drag moves the crosshair, right drag sets the window (sideways its width, up its level), middle drag
-// moves the picture, Ctrl and wheel zoom, Alt and wheel scroll; the wheel alone scrolls, or pushes the needle while
-// there is an attempt. Double click asks for the big place. Keys: see press().
+// moves the image, Ctrl and wheel zoom, Alt and wheel scroll; the plain wheel scrolls, or pushes the needle during an
+// attempt. Double click requests the large slot. Keys: see press().
 class SliceView : public View {
   Q_OBJECT
  public:
@@ -30,18 +30,18 @@ class SliceView : public View {
 
   // All slices of a page share one list; never null.
   void set_measures(std::shared_ptr<Measures> measures);
-  // Ways of the tip in finished sessions, drawn faintly where they are not near the plane; null: none.
+  // Paths of the tip in finished sessions, drawn faintly where they are not near the plane; null: none.
   void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails);
 
-  // The next clicks belong to a distance or an angle.
+  // Whether the next clicks belong to a distance or an angle.
   bool is_measuring() const { return measures_->waiting(); }
 
   SliceKind kind() const { return kind_; }
-  // The plane that holds the needle in place of the view's own.
+  // Shows the plane that contains the needle instead of the view's own.
   void show_along_needle(bool on);
   const SliceLook& look() const { return look_; }
   void set_look(const SliceLook& look);
-  // What is shown now, in pixels of the picture: device pixels, not those of the widget.
+  // The displayed plane, in pixels of the image: device pixels, not those of the widget.
   imaging::SlicePlane plane() const;
   // Between places of the widget and the patient, LPS mm.
   QPointF to_widget(const Vec3& point) const;
@@ -69,7 +69,7 @@ class SliceView : public View {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  // What of the newest frame is drawn.
+  // The parts of the newest frame that are drawn.
   struct Shown {
     State state = State::no_case;
     bool has_needle = false;
@@ -83,7 +83,7 @@ class SliceView : public View {
     double tolerance = 3.0;                         // mm
     bool reached = false;
     double drawn_in = 0.0;  // breath, 0 to 1
-    std::shared_ptr<const imaging::MovedTissue> moved_tissue;
+    std::shared_ptr<const imaging::TissueDisplacement> moved_tissue;
     Vec3 crosshair = Vec3::Zero();
     bool follows = true;
     double clock = 0.0;
@@ -121,7 +121,7 @@ class SliceView : public View {
   double field_ = 135.0;
   Shown shown_;
   bool placed_ = false;      // middle_ has been set for the patient
-  bool hides_plan_ = false;  // the attempt is one without a plan to be seen
+  bool hides_plan_ = false;  // the attempt does not show the plan
 
   enum class Drag { none, crosshair, window, pan };
   Drag drag_ = Drag::none;

@@ -1,4 +1,4 @@
-// What a slice shows upon its picture, and its menu.
+// The overlays of a slice, and its menu.
 #include <QMenu>
 #include <QPainter>
 #include <array>
@@ -22,7 +22,7 @@ QString letters_of(const Vec3& direction) {
   return QString::fromStdString(imaging::direction_letters(direction));
 }
 
-// The end of the cord, which a lumbar puncture must stay below, in the planes that pass near it.
+// The end of the cord, the upper limit for a lumbar puncture, in the planes that pass near it.
 void draw_conus(QPainter& painter, const SliceView& view, const OpenCase& patient) {
   constexpr double near_the_end = 6.0;                  // mm
   constexpr double gap = 5.0, stroke = 22.0, up = 4.0;  // pixels
@@ -94,7 +94,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-// Each line has the colour of the plane that it stands for, and leaves the tip free.
+// Each line has the colour of its plane, and leaves the tip free.
 void SliceView::draw_crosshair(QPainter& painter) const {
   constexpr double open = 14.0;  // pixels
   const QPointF at = to_widget(shown_.follows && shown_.has_needle ? shown_.tip : shown_.crosshair);
@@ -148,7 +148,7 @@ void SliceView::draw_plan(QPainter& painter) const {
     painter.setBrush(teal);
     painter.drawEllipse(entry, least_radius, least_radius);
   }
-  // Where it must not go: a red bar across each end, nothing between.
+  // Forbidden stretches: a red bar across each end, nothing between.
   constexpr double half_bar = 5.0;  // pixels
   if (length <= 0.0) return;
   const QPointF across = half_bar / length * QPointF(-way.y(), way.x());
@@ -175,7 +175,7 @@ void SliceView::draw_trails(QPainter& painter) const {
   painter.setOpacity(1.0);
 }
 
-// Without ticks: the needle in the hand is the one to be read.
+// Without ticks: only the needle in the hand is to be read.
 void SliceView::draw_left_needles(QPainter& painter) const {
   const imaging::SlicePlane now = plane();
   const double ratio = devicePixelRatioF(), thickness = near_the_plane + 0.5 * look_.slab.thickness;
@@ -206,7 +206,7 @@ void SliceView::draw_needle(QPainter& painter) const {
     painter.setOpacity(piece.near ? 1.0 : faint);
     draw_line_on_picture(painter, place(piece.from), place(piece.to), Qt::white, 2.0);
   }
-  // Ticks run across the needle; seen nearly end on they would lie upon each other.
+  // Ticks run across the needle; seen nearly end on they would overlap.
   constexpr double least_between = 4.0, half = 4.0, half_of_fifty = 6.0;  // pixels
   const double between = 10.0 * needle.foreshortening / (now.pixel * ratio);
   const QPointF across(-needle.along.y(), needle.along.x());
@@ -243,7 +243,7 @@ void SliceView::draw_measures(QPainter& painter) const {
     draw_text_on_picture(painter, at + QPointF(8.0, -8.0), QString::fromStdString(text_of(measure)), ink);
   };
   for (const Measure& measure : measures_->all()) {
-    // A measure belongs to the slice that it was made in.
+    // A measure belongs to the slice in which it was made.
     bool here = true;
     for (std::size_t i = 0; i < measure.count(); ++i)
       here = here && std::abs(now.distance(measure.places[i])) < near_the_plane;
@@ -292,7 +292,7 @@ void SliceView::draw_words(QPainter& painter) const {
   draw_text_on_picture(painter, {width() - aside, half}, letters_of(now.right), slice_ink, Anchor::right);
   draw_text_on_picture(painter, {0.5 * width(), height() - 10.0}, letters_of(now.down), slice_ink, Anchor::middle);
 
-  // A bar of scale, above which its length stands.
+  // A scale bar with its length above it.
   const double pixel = now.pixel * devicePixelRatioF();
   const double bar = scale_bar(pixel, 0.22 * width()), long_pixels = bar / pixel;
   const double right = width() - aside, foot = height() - 10.0;
@@ -317,7 +317,7 @@ void SliceView::draw_words(QPainter& painter) const {
   const double room = 0.5 * width() - 2.0 * aside - (pointer_ ? 0.0 : 6.0);
   const double most = width() - 3.0 * aside - std::max(long_pixels, 34.0);
   const QString shown = painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(most));
-  // Where they would meet the letter in the middle they stand above it.
+  // Above the letter in the middle if they would overlap it.
   const bool high = painter.fontMetrics().horizontalAdvance(shown) > room;
   draw_text_on_picture(painter, {aside, foot - (high ? 18.0 : 0.0)}, shown, pointer_ ? slice_ink : slice_second);
 }
@@ -356,7 +356,7 @@ void SliceView::open_menu(const QPoint& at) {
   add(cine_ ? tr("Stop (C)") : tr("Run through the slices (C)"), [this] { press(Qt::Key_C); });
   add(shown_.follows ? tr("Stay here (F)") : tr("Follow the tip (F)"), [this] { emit follow_tip_toggled(); });
   add(tr("Whole procedure (Home)"), [this] { show_whole_procedure(); });
-  add(tr("Into the big place (Enter)"), [this] { emit fill_requested(); });
+  add(tr("Enlarge this view (Enter)"), [this] { emit fill_requested(); });
   menu.exec(mapToGlobal(at));
 }
 

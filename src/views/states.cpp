@@ -8,7 +8,7 @@ namespace {
 
 using enum State;
 
-// Interruptions can begin in each of these.
+// States in which interruptions can begin.
 constexpr std::array attempt_states = {ready, aiming, touching, in_tissue, warning, reached};
 
 constexpr std::array fixed_edges = {
@@ -47,15 +47,15 @@ constexpr std::array fixed_edges = {
     Edge{ended, Signal::leave, no_case},
 };
 
-// Out of every state of an attempt.
-struct Way {
+// From every state of an attempt.
+struct Exit {
   Signal signal;
   State to;
 };
-constexpr std::array ways_out = {Way{Signal::hold, held},           Way{Signal::pause, paused},
-                                 Way{Signal::guard_fault, faulted}, Way{Signal::device_gone, device_lost},
-                                 Way{Signal::end, ended},           Way{Signal::again, preparing},
-                                 Way{Signal::leave, no_case}};
+constexpr std::array exits = {Exit{Signal::hold, held},           Exit{Signal::pause, paused},
+                              Exit{Signal::guard_fault, faulted}, Exit{Signal::device_gone, device_lost},
+                              Exit{Signal::end, ended},           Exit{Signal::again, preparing},
+                              Exit{Signal::leave, no_case}};
 
 // A held or paused session can still lose its force or its device.
 constexpr std::array deeper_edges = {Edge{held, Signal::pause, paused},
@@ -65,7 +65,7 @@ constexpr std::array deeper_edges = {Edge{held, Signal::pause, paused},
                                      Edge{paused, Signal::device_gone, device_lost},
                                      Edge{faulted, Signal::device_gone, device_lost}};
 
-constexpr std::size_t total = fixed_edges.size() + deeper_edges.size() + attempt_states.size() * ways_out.size();
+constexpr std::size_t total = fixed_edges.size() + deeper_edges.size() + attempt_states.size() * exits.size();
 
 constexpr std::array<Edge, total> all_edges = [] {
   std::array<Edge, total> all{};
@@ -73,7 +73,7 @@ constexpr std::array<Edge, total> all_edges = [] {
   for (const Edge& edge : fixed_edges) all[count++] = edge;
   for (const Edge& edge : deeper_edges) all[count++] = edge;
   for (const State from : attempt_states) {
-    for (const Way& way : ways_out) all[count++] = {from, way.signal, way.to};
+    for (const Exit& each : exits) all[count++] = {from, each.signal, each.to};
   }
   return all;
 }();

@@ -31,7 +31,7 @@ QString family() {
   return chosen;
 }
 
-// As a style sheet names a small picture of share/bodkin/app, which reads as well on dark as on light.
+// A style sheet's reference to an icon of share/bodkin/app that is legible on dark and light.
 QString picture(const char* name) {
   try {
     return QStringLiteral("url(\"%1\")")

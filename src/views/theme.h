@@ -8,19 +8,19 @@
 
 namespace bodkin::views {
 
-// Colours and sizes of everything that the window draws. Pictures of the patient stay dark in the light theme,
-// because grey levels are judged against black: they use Theme::dark().
+// Colours and sizes of everything that the window draws. Images of the patient stay dark in the light theme, because
+// grey levels are judged against black: they use Theme::dark().
 struct Theme {
   QColor ground, panel, raised, line;
   QColor text, second;
-  QColor accent;  // press me
+  QColor accent;  // call to action
   QColor plan;    // planned path and target
   QColor caution, danger, good;
   bool is_dark = true;
 
   static const Theme& dark();
   static const Theme& light();
-  // The one that the window uses now.
+  // The one in use.
   static const Theme& now();
   static void use(bool dark);
 
@@ -44,8 +44,9 @@ inline constexpr int label_size = 11, text_size = 13, heading_size = 15, number_
 // Digits of one width. `pixels`: label_size and so on; never below 11.
 QFont font(int pixels, bool strong = false);
 
-// Colours in which neighbours can be told apart whatever the eye (least CIEDE2000 of tissues that touch: 15.6 over
-// normal, protan, deutan and tritan sight); a tissue that is not Bodkin's own has the colour of its library.
+// Colours in which neighbours can be distinguished with any colour vision (least CIEDE2000 of tissues that touch:
+// 15.6 over normal, protan, deutan and tritan vision); a tissue that is not Bodkin's own has the colour of its
+// library.
 QColor tissue_colour(anatomy::TissueId id, const anatomy::TissueLibrary& library);
 
 }  // namespace bodkin::views

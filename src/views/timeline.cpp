@@ -21,7 +21,7 @@ constexpr double flag_height = 16.0, flag_reach = 5.0;
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setAccessibleName(tr("Course of the session"));
-  setToolTip(tr("Click or drag to go to a moment, click a flag to go to what happened"));
+  setToolTip(tr("Click or drag to go to a time, click a flag to go to its event"));
   setCursor(Qt::PointingHandCursor);
 }
 
@@ -78,12 +78,12 @@ const Timeline::Event* Timeline::event_at(const QPoint& at) const {
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const Event* const flag = event_at(event->pos());
-  emit sought(flag != nullptr ? flag->time : time_at(event->pos().x()));
+  emit seek_requested(flag != nullptr ? flag->time : time_at(event->pos().x()));
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->pos();
-  if (event->buttons() & Qt::LeftButton) emit sought(time_at(event->pos().x()));
+  if (event->buttons() & Qt::LeftButton) emit seek_requested(time_at(event->pos().x()));
   update();
 }
 
@@ -103,7 +103,7 @@ void Timeline::draw_lane(QPainter& painter, std::size_t index) const {
   }
   painter.fillRect(QRectF(2.0, band_top, 4.0, band_height), lane.colour);
   set_font(painter, label_size);
-  // Words stand beside their flag where there is room before the next one's.
+  // Words are beside their flag if there is room before the next one's.
   double free_from = 0.0;
   for (const Event& event : lane.events) {
     const double x = std::round(x_of(event.time)) + 0.5;
@@ -154,7 +154,7 @@ void Timeline::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(theme.accent);
   painter.drawEllipse(QPointF(x, height() - foot), 5.0, 5.0);
   if (!pointer_) return;
-  // What lies under the pointer: an event in full, else the tissue.
+  // The item under the pointer: an event in full, else the tissue.
   QString words;
   if (const Event* const flag = event_at(*pointer_)) {
     words = tr("%1, %2 s").arg(flag->words).arg(flag->time, 0, 'f', 1);

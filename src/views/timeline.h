@@ -8,8 +8,8 @@
 
 namespace bodkin::views {
 
-// The course of a session as one or two lanes: tissues that the tip was in, and what happened as flags with words. A
-// click or drag asks for a moment, a click on a flag for its very moment.
+// The course of a session as one or two lanes: tissues at the tip, and events as flags with text. A click or drag
+// requests a time, a click on a flag its exact time.
 class Timeline : public QWidget {
   Q_OBJECT
  public:
@@ -35,14 +35,14 @@ class Timeline : public QWidget {
   void set_lanes(std::vector<Lane> lanes, double begin, double end);
   void set_time(double time);
   double time() const { return time_; }
-  // Where a time is drawn, and where the flag of an event is, pixels.
+  // Position of a time, and of the flag of an event, pixels.
   double x_of(double time) const;
   QPoint place_of_event(std::size_t lane, std::size_t event) const;
 
   QSize sizeHint() const override;
 
  signals:
-  void sought(double time);  // s
+  void seek_requested(double time);  // s
 
  protected:
   void paintEvent(QPaintEvent* event) override;

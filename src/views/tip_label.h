@@ -6,7 +6,7 @@
 
 namespace bodkin::views {
 
-// What the tip is in or on, in words and with the tissue's colour: the answer to "where am I".
+// The tissue or structure at the tip, in words and in its colour: the answer to "where am I".
 class TipLabel : public View {
   Q_OBJECT
  public:

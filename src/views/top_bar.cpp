@@ -98,7 +98,7 @@ TopBar::TopBar(QWidget* parent) : View(parent) {
   ultrasound_->setObjectName(QStringLiteral("top.ultrasound"));
   ultrasound_->setCheckable(true);
   ultrasound_->setFocusPolicy(Qt::TabFocus);
-  ultrasound_->setToolTip(tr("Ultrasound beside the needle (U); a new attempt begins"));
+  ultrasound_->setToolTip(tr("Ultrasound next to the needle (U); a new attempt begins"));
   ultrasound_->setAccessibleName(tr("Ultrasound"));
   connect(ultrasound_, &QPushButton::clicked, this, &TopBar::ultrasound_toggled);
   row->addWidget(ultrasound_);
@@ -111,7 +111,7 @@ TopBar::TopBar(QWidget* parent) : View(parent) {
   row->addWidget(help);
 
   show_chip(device_, tr("No device"), Lamp::off, tr("No device is open"));
-  show_chip(servo_, tr("Stopped"), Lamp::off, tr("The force loop does not run"));
+  show_chip(servo_, tr("Stopped"), Lamp::off, tr("The force loop is not running"));
   set_stage(Stage::patient);
   refresh_style();
 }
@@ -174,12 +174,13 @@ void TopBar::show_frame(const Frame& frame, const Changes& changes) {
   if (device.isEmpty()) {
     show_chip(device_, tr("No device"), Lamp::off, tr("No device is open"));
   } else if (frame.state == State::device_lost) {
-    show_chip(device_, tr("%1 lost").arg(device), Lamp::danger, tr("The device went away; click to mend it"));
+    show_chip(device_, tr("%1 lost").arg(device), Lamp::danger,
+              tr("The device was disconnected; click to reconnect it"));
   } else {
     show_chip(device_, device, Lamp::good, tr("%1 holds the needle").arg(device));
   }
   if (frame.timings == nullptr) {
-    show_chip(servo_, tr("Stopped"), Lamp::off, tr("The force loop does not run"));
+    show_chip(servo_, tr("Stopped"), Lamp::off, tr("The force loop is not running"));
   } else if (frame.guard == haptics::GuardState::faulted) {
     const std::string_view why = haptics::text_of(frame.fault);
     show_chip(

@@ -14,8 +14,8 @@ namespace bodkin::views {
 enum class Stage : std::uint8_t { patient, scan, plan, practise, review };
 inline constexpr int stage_count = 5;
 
-// The bar above all pages: what is practised on whom, the stages, and the chips of device and servo. A chip
-// opens its page. Narrow windows leave the chips their colours and shapes only.
+// The bar above all pages: procedure and patient, the stages, and the chips of device and servo. A chip opens its
+// page. Narrow windows reduce the chips to their colours and shapes.
 class TopBar : public View {
   Q_OBJECT
  public:
@@ -25,10 +25,10 @@ class TopBar : public View {
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   void set_stage(Stage stage);
-  // A stage that cannot be reached now is greyed.
+  // Greys out a stage that cannot be reached now.
   void allow(Stage stage, bool allowed);
 
-  // Without a signal: ultrasound could not be switched on, or was by other means.
+  // Without a signal: ultrasound could not be switched on, or was switched on by other means.
   void set_ultrasound(bool on);
 
   static constexpr int bar_height = 48;  // pixels

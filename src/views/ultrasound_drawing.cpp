@@ -17,7 +17,7 @@ namespace bodkin::views {
 
 namespace {
 
-// In the order in which a hand needs them.
+// In the order of use.
 constexpr std::array<std::array<const char*, 2>, 19> scan_help = {
     {{"drag, I J K L", QT_TRANSLATE_NOOP("bodkin::views::UltrasoundView", "slide the probe over the skin")},
      {"wheel", QT_TRANSLATE_NOOP("bodkin::views::UltrasoundView", "press it in, lift it off")},
@@ -86,7 +86,7 @@ void UltrasoundView::draw_ct(QPainter& painter) {
   painter.setPen(QPen(Theme::dark().line, 1.0));
   painter.drawLine(QPointF(box.left() - 0.5, 3.0), QPointF(box.left() - 0.5, height()));
   if (scan_->screen().empty()) return;
-  const imaging::ScanMoment& moment = scan_->screen().moment();
+  const imaging::ScanState& moment = scan_->screen().moment();
   if (!moment.pose.matrix().allFinite()) return;
   // The plane of the ultrasound's picture, in the pixels of the view.
   imaging::SlicePlane plane = imaging::plane_of(moment.frame, moment.pose, choice_->mark);
@@ -196,7 +196,7 @@ void UltrasoundView::draw_words(QPainter& painter) const {
   draw_text(painter, {10.0, 22.0}, tr("Ultrasound"), along_colour);
   if (!scan_) return;
   if (shows_ct()) draw_text(painter, {ct_box().left() + 10.0, 22.0}, tr("CT, the same plane"), theme.text);
-  // A picture that only shows what was recorded has neither keys nor a rate.
+  // A recorded image has neither keys nor a rate.
   if (testAttribute(Qt::WA_TransparentForMouseEvents)) return;
   set_font(painter, text_size);
   if (!scan_->screen().frozen() && rate_ >= 0.5) {  // none are made while nothing moves

@@ -46,7 +46,7 @@ void UltrasoundView::set_case(std::shared_ptr<const OpenCase> patient) {
 }
 
 void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& choice,
-                              const std::optional<imaging::NeedleInSound>& needle) {
+                              const std::optional<imaging::NeedleInUltrasound>& needle) {
   scan_.reset();
   choice_ = choice;
   made_ = counted_ = 0;
@@ -56,15 +56,15 @@ void UltrasoundView::set_scan(const std::optional<station::UltrasoundChoice>& ch
     scan_.emplace(patient_->patient, *choice_, station::hold_probe(*choice_, patient_->patient), needle,
                   station::LiveScan::Place{});
     scan_->screen().translate_by([](const std::string& words) { return in_words(words).toStdString(); });
-    ordered_ = {scan_->pose(), scan_->settings()};
+    reported_ = {scan_->pose(), scan_->settings()};
     resizeEvent(nullptr);
   }
   stale_ = true;
   update();
 }
 
-void UltrasoundView::say(const std::string& sentence) {
-  if (scan_) scan_->say(sentence);
+void UltrasoundView::show_message(const std::string& sentence) {
+  if (scan_) scan_->set_message(sentence);
   update();
 }
 
@@ -123,11 +123,11 @@ void UltrasoundView::show_frame(const Frame& frame, const Changes& changes) {
   if (clock_ >= 0.0) scan_->advance(frame.clock - clock_);
   clock_ = frame.clock;
   if (changes.attempt) {
-    // Another station, which begins with the probe where the choice has it.
+    // A new station, which begins with the probe at the chosen place.
     made_ = counted_ = 0;
-    emit scan_ordered(ordered_);
+    emit scan_setup_changed(reported_);
   }
-  order();
+  report_setup();
   if (changes.needle || changes.plan) {
     has_needle_ = frame.has_needle;
     needle_tip_ = frame.needle.translation();
@@ -136,7 +136,7 @@ void UltrasoundView::show_frame(const Frame& frame, const Changes& changes) {
     if (shows_ct()) update();
   }
   if (frame.ultrasound == nullptr) return;
-  const station::LivePicture& picture = *frame.ultrasound;
+  const station::LiveImage& picture = *frame.ultrasound;
   count(picture, frame.clock);
   if (picture.number == made_) return;
   made_ = picture.number;
@@ -144,12 +144,12 @@ void UltrasoundView::show_frame(const Frame& frame, const Changes& changes) {
   const std::string words = !in_attempt_     ? scan_->needle_words()
                             : picture.needle ? std::to_string(patient_->description().needle.gauge) + " G"
                                              : std::string();
-  scan_->screen().take({picture.frame, picture.order.probe, choice_->probe, picture.order.settings, words});
+  scan_->screen().take({picture.frame, picture.setup.probe, choice_->probe, picture.setup.settings, words});
   stale_ = true;
   update();
 }
 
-void UltrasoundView::count(const station::LivePicture& picture, double clock) {
+void UltrasoundView::count(const station::LiveImage& picture, double clock) {
   if (counting_since_ < 0.0) counting_since_ = clock;
   if (clock - counting_since_ < counting_span) return;
   rate_ = static_cast<double>(picture.number - std::min(picture.number, counted_)) / (clock - counting_since_);
@@ -158,12 +158,12 @@ void UltrasoundView::count(const station::LivePicture& picture, double clock) {
   update();
 }
 
-void UltrasoundView::order() {
-  const station::ScanOrder next{scan_->pose(), scan_->settings()};
-  if (next.probe.matrix() == ordered_.probe.matrix() && next.settings == ordered_.settings) return;
-  ordered_ = next;
+void UltrasoundView::report_setup() {
+  const station::ScanSetup next{scan_->pose(), scan_->settings()};
+  if (next.probe.matrix() == reported_.probe.matrix() && next.settings == reported_.settings) return;
+  reported_ = next;
   stale_ = true;
-  emit scan_ordered(next);
+  emit scan_setup_changed(next);
   update();
 }
 
@@ -175,7 +175,7 @@ void UltrasoundView::pass_on(const station::ScreenEvent& event) {
     emit save_requested(grab().toImage());
   }
   stale_ = true;
-  order();
+  report_setup();
   update();
 }
 
@@ -223,7 +223,7 @@ std::optional<station::ScreenKey> UltrasoundView::key_of(int key) const {
   const bool of_the_needle =
       which == Key::space || which == Key::n || which == Key::page_up || which == Key::page_down;
   if (of_the_needle && in_attempt_) return std::nullopt;
-  // Escape closes the list of keys; to the page it means more.
+  // Escape closes the list of keys; on the page it has further effects.
   if (which == Key::escape && !(scan_ && scan_->help())) return std::nullopt;
   if (which == Key::question && in_attempt_) return std::nullopt;
   return which;

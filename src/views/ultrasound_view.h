@@ -11,38 +11,37 @@
 
 namespace bodkin::views {
 
-// The screen of an ultrasound machine and the hand on its probe: what station::LiveScan makes of mouse and keys, with
-// the CT of the same plane beside it where there is room. While there is an attempt the needle is the session's, and
-// the keys that belong to it (space, page up, page down, N) are left to the page.
+// The screen of an ultrasound machine and the hand on its probe: station::LiveScan with mouse and keys, with the CT
+// of the same plane next to it if there is room. During an attempt the needle is the session's, and the attempt's
+// keys (space, page up, page down, N) are left to the page.
 class UltrasoundView : public View {
   Q_OBJECT
  public:
   explicit UltrasoundView(QWidget* parent = nullptr);
 
-  // Without a scan (null case or no choice) the view says that there is none.
+  // Without a scan (null case or no choice) the view says so.
   void set_case(std::shared_ptr<const OpenCase> patient) override;
-  // The probe and machine of the next session, held where the choice says. Throws InputError when there is no such
-  // place on the patient. After set_case().
-  // `needle`: in the patient from the beginning, where there is no attempt.
+  // The probe and machine of the next session, placed according to the choice. Throws InputError when there is no
+  // such place on the patient. After set_case(). `needle`: in the patient from the start, if there is no attempt.
   void set_scan(const std::optional<station::UltrasoundChoice>& choice,
-                const std::optional<imaging::NeedleInSound>& needle = std::nullopt);
-  // A sentence below the picture, until the next knob is turned.
-  void say(const std::string& sentence);
-  // The list of keys goes; false: it was not there.
+                const std::optional<imaging::NeedleInUltrasound>& needle = std::nullopt);
+  // Shows a sentence below the image, until the next change of a setting.
+  void show_message(const std::string& sentence);
+  // Closes the list of keys; false: it was not open.
   bool close_help();
   void show_frame(const Frame& frame, const Changes& changes) override;
 
   // Null: there is none.
   const station::LiveScan* scan() const { return scan_ ? &*scan_ : nullptr; }
-  // The CT of the plane is shown beside the machine: the view is wide enough.
+  // Whether the CT of the plane is shown next to the machine: the view is wide enough.
   bool shows_ct() const;
-  // Whether it may be.
+  // Allows or forbids it.
   void allow_ct(bool allowed);
 
  signals:
-  // Where the probe is held and how the machine is set now; the station follows by set_scan_order().
-  void scan_ordered(const bodkin::station::ScanOrder& order);
-  // Somebody asked for the picture to be kept.
+  // The probe's pose or the machine's settings have changed; the station follows by set_scan_setup().
+  void scan_setup_changed(const bodkin::station::ScanSetup& setup);
+  // The person wants to save the image.
   void save_requested(const QImage& picture);
 
  protected:
@@ -61,8 +60,8 @@ class UltrasoundView : public View {
   std::optional<station::ScreenKey> key_of(int key) const;
   bool press(QKeyEvent* event, bool down);
   void pass_on(const station::ScreenEvent& event);
-  void order();
-  void count(const station::LivePicture& picture, double clock);
+  void report_setup();
+  void count(const station::LiveImage& picture, double clock);
   QRectF machine_box() const;
   QRectF ct_box() const;
 
@@ -78,7 +77,7 @@ class UltrasoundView : public View {
   SliceImage ct_;
   QImage machine_;  // composed
   bool stale_ = true;
-  station::ScanOrder ordered_;
+  station::ScanSetup reported_;
   bool ct_allowed_ = true, in_attempt_ = false, has_needle_ = false;
   Vec3 needle_tip_ = Vec3::Zero(), needle_axis_ = Vec3::UnitY();
   std::optional<anatomy::NeedlePath> plan_;

@@ -20,13 +20,13 @@ constexpr double most_pixels = 1920.0 * 1080.0;  // that are drawn; a larger wid
 constexpr double settles_after = 0.12;           // s after the last movement of the camera full detail comes back
 constexpr double settles_after_breath = 0.3;     // s, the same after the last motion of the patient
 constexpr double flight_time = 0.35;             // s
-// mm from where the skin was cut out at which it is cut out anew. With a deformable body that is avoided, since its
-// displacements are those of the points that were asked for, and others are there only some time later.
+// mm from the place of the skin's patch at which a new one is cut out. With a deformable body that is avoided, since
+// displacements are available only for the requested points, and for others only some time later.
 constexpr double other_entry = 0.05, other_entry_of_body = 15.0;
 constexpr int margin_of_tip = 9;    // pixels about the tip that its mark takes
 constexpr double cube_size = 76.0;  // pixels
 
-// Frames are kept for painting, but not what they only lend.
+// Frames are kept for painting, but not the data that they only refer to.
 Frame without_spans(const Frame& frame) {
   Frame kept = frame;
   kept.displacements = {};
@@ -90,7 +90,7 @@ void View3d::set_case(std::shared_ptr<const OpenCase> patient) {
   scene_.reset();
   right_scene_.reset();
   stereo_ = scene::Stereo::off;
-  said_.clear();
+  message_.clear();
   flight_.reset();
   has_needle_ = aimed_ = false;
   shown_percent_ = -1;
@@ -212,8 +212,8 @@ void View3d::show_frame(const Frame& frame, const Changes& changes) {
   for (scene::SoftwareView* scene : scenes()) scene->set_detail(moves || breathes ? 1 : 2);
   update_scene(frame);
   const scene::PixelBox drawn = draw_scenes();
-  const bool spoke = !said_.isEmpty() && clock_ >= said_until_;
-  if (spoke) said_.clear();
+  const bool spoke = !message_.isEmpty() && clock_ >= message_until_;
+  if (spoke) message_.clear();
   const bool framed = spoke || shown_.warning.has_value() != frame.warning.has_value() ||
                       (shown_.state == State::reached) != (frame.state == State::reached);
   shown_ = without_spans(frame);
@@ -297,7 +297,7 @@ QRect View3d::tip_mark() const {
   if (!has_needle_) return {};
   const auto place = scene_->projection().place(needle_.pose.translation());
   if (!place) return {};
-  // Under a closed skin nobody sees the tip.
+  // Under a closed skin the tip is invisible.
   if (scene::skin_is_closed(look_, scene_->surfaces()) && shown_.depth > std::max(1.0, shown_.dimple.depth + 0.5))
     return {};
   const QPoint at = on_screen(*place).toPoint();
@@ -325,9 +325,10 @@ void View3d::paintEvent(QPaintEvent* event) {
   }
   draw_orientation_cube(painter, cube_place(), camera_.axes());
   if (workspace_ && stereo_ == scene::Stereo::off) draw_workspace(painter);
-  if (!said_.isEmpty()) {
+  if (!message_.isEmpty()) {
     set_font(painter, text_size);
-    draw_text_on_picture(painter, QPointF(0.5 * width(), height() - 24.0), said_, Theme::dark().text, Anchor::middle);
+    draw_text_on_picture(painter, QPointF(0.5 * width(), height() - 24.0), message_, Theme::dark().text,
+                         Anchor::middle);
   }
   if (shown_.warning || shown_.state == State::reached) {
     painter.setPen(QPen(shown_.warning ? Theme::dark().danger : Theme::dark().plan, 3.0));

@@ -21,8 +21,8 @@ namespace bodkin::views {
 
 class LookPanel;
 
-// The patient in 3-D with the needle, the skin that it dents, the plan and the target. The picture is drawn by the
-// processor (SoftwareView); the widget paints it like any other.
+// The patient in 3-D with the needle, the dented skin, the plan and the target. The image is drawn by the processor
+// (SoftwareView); the widget paints it like any other.
 //
 // Mouse: over the skin it aims, a click puts the needle down; the wheel pushes, Ctrl and the wheel zoom; the hub is
 // dragged along the needle or across it; a drag anywhere else turns the patient, with the right or middle button it
@@ -31,7 +31,7 @@ class LookPanel;
 class View3d : public View {
   Q_OBJECT
  public:
-  // `place`: what the object names of the view and of its buttons begin with: "practise" for "practise.view3d".
+  // `place`: prefix of the object names of the view and of its buttons: "practise" for "practise.view3d".
   explicit View3d(const QString& place, QWidget* parent = nullptr);
   ~View3d() override;
 
@@ -43,41 +43,41 @@ class View3d : public View {
   // Visibility, opacity and colour of each part.
   void set_look(const scene::Look& look);
   const scene::Look& look() const { return look_; }
-  // One of the looks that are saved with the case, with its direction of view if it has one.
+  // One of the looks saved with the case, with its direction of view if it has one.
   void show_saved_look(const std::string& name);
-  // Whether the view begins with the look that the case says (the default).
+  // Whether the view begins with the case's initial look (the default).
   void set_opens_as_saved(bool opens) { opens_as_saved_ = opens; }
-  // How the body lies in the workspace of the needle's device.
+  // The placement of the body in the workspace of the needle's device.
   struct Workspace {
-    Vec3 middle = Vec3::Zero();        // LPS mm, what lies in its middle
+    Vec3 middle = Vec3::Zero();        // LPS mm, point in its middle
     Mat3 rotation = Mat3::Identity();  // operator's axes (right, away, up) to patient
   };
   // Moving mode: the workspace is drawn with its axes, and a drag turns the body in it, with the right or middle
-  // button moves it, as long as no needle is down. The workspace stays where it is on the screen. Nothing: no moving.
+  // button moves it, as long as no needle is down. The workspace is fixed on the screen. Empty: no moving.
   void set_workspace(const std::optional<Workspace>& workspace);
   const std::optional<Workspace>& workspace() const { return workspace_; }
-  // Only the outside of the patient may be seen, whatever else is wished, or everything again.
+  // Restricts the view to the outside of the patient, overriding other settings, or lifts the restriction.
   void set_outside_only(bool only);
   // The list of parts.
   void show_parts(bool shown);
   void choose_view(scene::StandardView view);
   // See scene::SoftwareView::set_skin_tint; once is_ready().
   void set_skin_tint(const std::vector<std::uint32_t>& tint);
-  // Ways of the tip in finished sessions; null: none.
+  // Paths of the tip in finished sessions; null: none.
   void set_trails(std::shared_ptr<const std::vector<scene::Trail>> trails) { trails_ = std::move(trails); }
   const std::shared_ptr<const std::vector<scene::Trail>>& trails() const { return trails_; }
   void set_stereo(scene::Stereo stereo);
   scene::Stereo stereo() const { return stereo_; }
 
-  // Writes the surfaces that are shown to a folder; what is said about it stands in the view for some seconds. False:
-  // they could not be written.
+  // Writes the visible surfaces to a folder; a message is shown in the view for some seconds. False: they could not
+  // be written.
   bool save_surfaces(const QString& folder, scene::SurfaceFormat format);
-  // Writes the view as it is shown. False: it could not be written.
+  // Writes the view as displayed. False: it could not be written.
   bool save_picture(const QString& file);
 
-  // The surfaces are there.
+  // Whether the surfaces are available.
   bool is_ready() const { return scene_ != nullptr; }
-  // LPS mm at rest, whose displacements Frame::displacements brings; empty until is_ready().
+  // LPS mm at rest, the points of Frame::displacements; empty until is_ready().
   std::vector<Vec3> deformable_points() const;
   // For tests and pictures; null until is_ready().
   scene::SoftwareView* scene() { return scene_.get(); }
@@ -86,9 +86,9 @@ class View3d : public View {
 
  signals:
   void ready();           // is_ready() from now on
-  void points_changed();  // deformable_points() are others than before
+  void points_changed();  // deformable_points() have changed
   void preset_changed(bodkin::scene::Preset preset);
-  void body_taken();                                                           // a drag begins
+  void body_drag_started();                                                    // a drag begins
   void body_placed(const bodkin::Vec3& middle, const bodkin::Mat3& rotation);  // see Workspace
 
  protected:
@@ -110,7 +110,7 @@ class View3d : public View {
   std::vector<scene::SoftwareView*> scenes() const;
   scene::PixelBox draw_scenes();
   void open_menu(const QPoint& at);
-  void say(const QString& sentence);
+  void show_message(const QString& sentence);
   void update_scene(const Frame& frame);
   void update_skin(const Frame& frame);
   void aim();
@@ -124,7 +124,7 @@ class View3d : public View {
   QRect on_screen(const scene::PixelBox& pixels) const;
   QPointF on_screen(const scene::Place& place) const;
   QRect tip_mark() const;
-  // In pixels of the picture.
+  // In pixels of the image.
   QPointF in_picture(const QPointF& at) const;
   void fit_picture();
   void paint_preparation(QPainter& painter);
@@ -142,8 +142,8 @@ class View3d : public View {
   std::unique_ptr<scene::SoftwareView> scene_, right_scene_;  // the second one for the right eye
   scene::Stereo stereo_ = scene::Stereo::off;
   scene::Picture stereo_picture_;
-  QString said_;
-  double said_until_ = 0.0;  // s
+  QString message_;
+  double message_until_ = 0.0;  // s
   int shown_percent_ = -1;
 
   scene::Camera camera_;
@@ -159,7 +159,7 @@ class View3d : public View {
   std::shared_ptr<const std::vector<scene::Trail>> trails_;
   scene::NeedleLook needle_;
   bool has_needle_ = false;
-  Frame shown_;  // what is painted over the picture; without its spans
+  Frame shown_;  // painted over the image; without its spans
   QRect shown_tip_;
   double scale_ = 1.0;  // pixels of the picture for one of the widget
 

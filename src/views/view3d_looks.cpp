@@ -1,4 +1,4 @@
-// What the 3-D view shows of the patient: presets, parts, and the looks that are saved with the case.
+// The patient's appearance in the 3-D view: presets, parts, and the looks saved with the case.
 #include <QPushButton>
 #include <algorithm>
 
@@ -28,11 +28,11 @@ void View3d::make_look_panel(const QString& place) {
   panel_ = new LookPanel(place, this);
   panel_->hide();
   connect(panel_, &LookPanel::closed, this, [this] { show_parts(false); });
-  connect(panel_, &LookPanel::look_wished, this, &View3d::set_look);
-  connect(panel_, &LookPanel::saved_look_wished, this,
+  connect(panel_, &LookPanel::look_requested, this, &View3d::set_look);
+  connect(panel_, &LookPanel::saved_look_requested, this,
           [this](const QString& name) { show_saved_look(name.toStdString()); });
-  connect(panel_, &LookPanel::save_wished, this, &View3d::save_look);
-  connect(panel_, &LookPanel::remove_wished, this, &View3d::remove_look);
+  connect(panel_, &LookPanel::save_requested, this, &View3d::save_look);
+  connect(panel_, &LookPanel::remove_requested, this, &View3d::remove_look);
 }
 
 void View3d::place_look_panel() {
@@ -53,8 +53,8 @@ void View3d::set_outside_only(bool only) {
   set_preset(only ? scene::Preset::skin : scene::Preset::cut_away);
 }
 
-void View3d::set_look(const scene::Look& wished) {
-  const scene::Look look = outside_only_ ? scene::Look{scene::Preset::skin, {}} : wished;
+void View3d::set_look(const scene::Look& requested) {
+  const scene::Look look = outside_only_ ? scene::Look{scene::Preset::skin, {}} : requested;
   const bool other = look.preset != look_.preset;
   look_ = look;
   for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(scene::presets[i] == look_.preset);
@@ -73,14 +73,14 @@ void View3d::show_parts(bool shown) {
   panel_->setFocus(Qt::OtherFocusReason);
 }
 
-// A file of looks that is not as it should be is no reason to show no patient.
+// An invalid file of looks must not prevent showing the patient.
 void View3d::open_looks_of_case() {
   panel_->set_surfaces(&scene_->surfaces());
   saved_looks_ = {};
   try {
     if (!patient_->folder.empty()) saved_looks_ = scene::read_looks(patient_->folder);
   } catch (const std::exception& error) {
-    say(in_words(error.what()));
+    show_message(in_words(error.what()));
   }
   panel_->set_saved(saved_looks_);
   panel_->set_look(look_);
@@ -107,7 +107,7 @@ void View3d::show_saved_look(const std::string& name) {
 
 void View3d::save_look(const QString& name, bool with_view, bool opens_with) {
   if (!scene_) return;
-  if (name.isEmpty()) return say(tr("Give the look a name first"));
+  if (name.isEmpty()) return show_message(tr("Give the look a name first"));
   scene::NamedLook look{name.toStdString(), look_, std::nullopt};
   if (with_view) look.camera = camera_;
   scene::CaseLooks looks = saved_looks_;
@@ -123,7 +123,7 @@ void View3d::save_look(const QString& name, bool with_view, bool opens_with) {
   } else {
     *same = std::move(look);
   }
-  if (write_saved_looks(std::move(looks))) say(tr("\"%1\" is saved with the patient").arg(name));
+  if (write_saved_looks(std::move(looks))) show_message(tr("\"%1\" is saved with the patient").arg(name));
 }
 
 void View3d::remove_look(const QString& name) {
@@ -139,7 +139,7 @@ bool View3d::write_saved_looks(scene::CaseLooks looks) {
   try {
     scene::write_looks(looks, patient_->folder);
   } catch (const SystemError& error) {
-    say(in_words(error.what()));
+    show_message(in_words(error.what()));
     return false;
   }
   saved_looks_ = std::move(looks);

@@ -1,4 +1,4 @@
-// The menu of the 3-D view: what it shows, from where, in stereo, and what can be saved of it.
+// The menu of the 3-D view: contents, viewpoint, stereo, and export.
 #include <QAction>
 #include <QFileDialog>
 #include <QMenu>
@@ -14,7 +14,7 @@ namespace bodkin::views {
 
 namespace {
 
-constexpr double said_for = 6.0;  // s
+constexpr double message_time = 6.0;  // s
 
 }  // namespace
 
@@ -57,9 +57,9 @@ scene::PixelBox View3d::draw_scenes() {
   return {0, 0, stereo_picture_.width, stereo_picture_.height};
 }
 
-void View3d::say(const QString& sentence) {
-  said_ = sentence;
-  said_until_ = clock_ + said_for;
+void View3d::show_message(const QString& sentence) {
+  message_ = sentence;
+  message_until_ = clock_ + message_time;
   update();
 }
 
@@ -67,23 +67,24 @@ bool View3d::save_surfaces(const QString& folder, scene::SurfaceFormat format) {
   if (!scene_) return false;
   try {
     const auto files = scene::export_surfaces(scene_->surfaces(), folder.toStdString(), format);
-    say(tr("%n surface(s) saved in %1", nullptr, static_cast<int>(files.size())).arg(folder));
+    show_message(tr("%n surface(s) saved in %1", nullptr, static_cast<int>(files.size())).arg(folder));
     return true;
   } catch (const SystemError& error) {
-    say(in_words(error.what()));
+    show_message(in_words(error.what()));
     return false;
   }
 }
 
 bool View3d::save_picture(const QString& file) {
   const bool saved = grab().save(file);
-  say(saved ? tr("Picture saved as %1").arg(file)
-            : tr("%1 cannot be written; choose a folder that may be written to, and a name that ends in .png")
-                  .arg(file));
+  show_message(saved
+                   ? tr("Picture saved as %1").arg(file)
+                   : tr("%1 cannot be written; choose a folder that may be written to, and a name that ends in .png")
+                         .arg(file));
   return saved;
 }
 
-// Dialogs are not modal: the needle goes on behind them.
+// Dialogs are not modal: the needle continues behind them.
 void View3d::open_menu(const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(objectName() + QStringLiteral(".menu"));

@@ -1,4 +1,4 @@
-// What mouse and keys do in the 3-D view.
+// Mouse and keys in the 3-D view.
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -57,7 +57,7 @@ void View3d::mousePressEvent(QMouseEvent* event) {
     drag_ = is_over_hub(pressed_) && needle_is_down(shown_.state) ? Drag::hub : Drag::perhaps_turn;
   } else {
     drag_ = Drag::pan;
-    if (moves_body()) emit body_taken();
+    if (moves_body()) emit body_drag_started();
   }
 }
 
@@ -73,7 +73,7 @@ void View3d::mouseMoveEvent(QMouseEvent* event) {
     case Drag::perhaps_turn:
       if (length_of(pointer_ - pressed_) <= click_reach) break;
       drag_ = Drag::turn;
-      if (moves_body()) emit body_taken();
+      if (moves_body()) emit body_drag_started();
       break;
     case Drag::turn:
       if (moves_body()) {
@@ -116,7 +116,7 @@ void View3d::move_hub(const QPointF& from, const QPointF& to) {
     setCursor(Qt::ClosedHandCursor);
   }
   if (drag_ == Drag::hub_along) {
-    // 1:1 in mm along the axis as it is seen; where it points at the viewer, down is in.
+    // 1:1 in mm along the axis as displayed; if it points at the viewer, down is in.
     emit dragged(sine < std::sin(end_on) ? moved.y() / scale
                                          : QPointF::dotProduct(moved, along) / (sine * sine * scale));
     return;
@@ -140,7 +140,7 @@ void View3d::mouseReleaseEvent(QMouseEvent* event) {
     choose_view(*face);
     return;
   }
-  if (workspace_) return;  // who moves the body does not put the needle down
+  if (workspace_) return;  // moving the body does not put the needle down
   const QPointF at = in_picture(pointer_);
   const auto skin = scene_->skin_at(at.x(), at.y());
   if (!skin) return;

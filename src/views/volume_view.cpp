@@ -17,14 +17,14 @@ namespace bodkin::views {
 
 namespace {
 
-// While something moves (as coarse as MovingDetail says), full, and as fine as the view is: pixels, and voxels that a
-// step is long.
+// During motion (as coarse as MovingDetail requires), full, and at the view's resolution: pixels, and voxels per
+// step.
 struct Level {
   double pixels, voxels;
 };
 constexpr std::array<Level, 3> levels = {
     {{MovingDetail::most_rays, MovingDetail::finest_step}, {512.0 * 512.0, 1.0}, {1280.0 * 800.0, 0.7}}};
-// A graphics card draws all of the view at once, with somewhat longer steps while something moves.
+// A graphics card draws the whole view at once, with somewhat longer steps during motion.
 constexpr double moving_step_of_card = 1.0;    // voxels
 constexpr double volume_settles_after = 0.12;  // s after the last change
 constexpr double volume_flight_time = 0.35;    // s
@@ -51,7 +51,7 @@ void VolumeView::set_case(std::shared_ptr<const OpenCase> patient) {
   job_.reset();
   picture_.set_base(nullptr);
   has_volume_ = false;
-  ordered_.reset();
+  requested_.reset();
   flight_.reset();
   shown_percent_ = -1;
   by_card_ = false;
@@ -91,7 +91,7 @@ void VolumeView::take_volume() {
   emit ready();
 }
 
-scene::VolumeOrder VolumeView::order_of(int level) const {
+scene::VolumeRequest VolumeView::request_for(int level) const {
   Level wanted = levels[static_cast<std::size_t>(level)];
   if (level == 0 && !by_card_) {
     wanted = {moving_detail_.rays(), moving_detail_.step()};
@@ -101,45 +101,45 @@ scene::VolumeOrder VolumeView::order_of(int level) const {
   }
   const double all = std::max(1.0, scale_ * scale_ * width() * height());
   const double share = std::min(1.0, std::sqrt(wanted.pixels / all)) * scale_;
-  scene::VolumeOrder order;
-  order.camera = camera_;
-  order.look = look_;
-  order.width = std::max(1, static_cast<int>(std::lround(share * width())));
-  order.height = std::max(1, static_cast<int>(std::lround(share * height())));
-  order.voxels = wanted.voxels;
-  order.may_be_cut_short = level > 0;
-  order.drawer = drawer_;
-  return order;
+  scene::VolumeRequest request;
+  request.camera = camera_;
+  request.look = look_;
+  request.width = std::max(1, static_cast<int>(std::lround(share * width())));
+  request.height = std::max(1, static_cast<int>(std::lround(share * height())));
+  request.voxels = wanted.voxels;
+  request.may_be_cut_short = level > 0;
+  request.drawer = drawer_;
+  return request;
 }
 
 void VolumeView::order_what_is_missing() {
-  const auto same = [&](const scene::VolumeOrder& order) { return ordered_ && *ordered_ == order; };
+  const auto same = [&](const scene::VolumeRequest& request) { return requested_ && *requested_ == request; };
   if (moved_) {
     changed_at_ = clock_;
     moved_ = false;
   }
   if (clock_ - changed_at_ < volume_settles_after) {
-    if (same(order_of(0))) return;
-    ordered_ = order_of(0);
-    job_->order(*ordered_);
+    if (same(request_for(0))) return;
+    requested_ = request_for(0);
+    job_->request(*requested_);
     return;
   }
   if (job_->status().busy) return;
-  // One finer than the last one, if that was of what is wanted now.
+  // One finer than the last image, if that shows the present request.
   for (int level = static_cast<int>(levels.size()) - 1; level >= 0; --level) {
-    if (!same(order_of(level))) continue;
+    if (!same(request_for(level))) continue;
     if (level + 1 == static_cast<int>(levels.size())) return;
-    ordered_ = order_of(level + 1);
-    job_->order(*ordered_);
+    requested_ = request_for(level + 1);
+    job_->request(*requested_);
     return;
   }
-  ordered_ = order_of(1);
-  job_->order(*ordered_);
+  requested_ = request_for(1);
+  job_->request(*requested_);
 }
 
 bool VolumeView::is_settled() const {
   const auto finest = static_cast<int>(levels.size()) - 1;
-  return has_volume_ && !moved_ && picture_.base() && picture_.base()->order == order_of(finest);
+  return has_volume_ && !moved_ && picture_.base() && picture_.base()->request == request_for(finest);
 }
 
 void VolumeView::show_frame(const Frame& frame, const Changes& changes) {
@@ -165,7 +165,7 @@ void VolumeView::show_frame(const Frame& frame, const Changes& changes) {
     if (was_by_card != by_card_) {
       moving_detail_ = {};
       moved_ = true;
-    } else if (!newest->order.may_be_cut_short) {
+    } else if (!newest->request.may_be_cut_short) {
       moving_detail_.took(newest->seconds);
     }
     take_drawer();
@@ -246,7 +246,7 @@ void VolumeView::resizeEvent(QResizeEvent* event) {
   moved_ = true;
 }
 
-// The needle has moved while nobody saw it.
+// The needle has moved while hidden.
 void VolumeView::showEvent(QShowEvent* event) {
   View::showEvent(event);
   moved_ = true;

@@ -13,8 +13,8 @@
 namespace bodkin::views {
 
 // The inside of the patient without surfaces: colour, grey, the largest HU or the sum on each ray, with needle, path
-// and target at their depth. It is drawn on threads of its own: by the processor coarsely while the camera or the
-// look changes and in full a moment after, by a graphics card in full at once.
+// and target at their depth. It is drawn on its own threads: by the processor coarsely while the camera or the look
+// changes and in full shortly afterwards, by a graphics card in full at once.
 //
 // Mouse: a drag turns the patient, with the middle button it moves him, with the right one it sets the window
 // (brightness in a sum); the wheel zooms; a double click asks for the whole page. Keys: 0 to 6 views, M next mode, P
@@ -27,7 +27,7 @@ class VolumeView : public View {
 
   void set_case(std::shared_ptr<const OpenCase> patient) override;
   void show_frame(const Frame& frame, const Changes& changes) override;
-  // Nothing is prepared before the view is shown for the first time, and nothing drawn while it is not.
+  // Nothing is prepared before the view is first shown, and nothing drawn while it is hidden.
 
   const imaging::VolumeLook& look() const { return look_; }
   void set_look(const imaging::VolumeLook& look);
@@ -39,15 +39,15 @@ class VolumeView : public View {
   bool press(int key);  // false: not a key of this view
   scene::VolumeDrawer drawer() const { return drawer_; }
   void set_drawer(scene::VolumeDrawer drawer);
-  // The graphics card that draws, and why one that was wished for does not; either may be empty.
+  // The graphics card in use, and why a requested one is not; either may be empty.
   const std::string& card() const { return card_; }
   const std::string& refusal() const { return refusal_; }
 
   // The patient's volume; null until it is prepared.
   std::shared_ptr<const imaging::PreparedVolume> volume() const;
-  // What is shown; its base is null before the first picture.
+  // The displayed image; its base is null before the first one.
   const scene::VolumePicture& picture() const { return picture_; }
-  // The picture is as fine as it gets and shows what was set last.
+  // Whether the image has full quality and shows the newest settings.
   bool is_settled() const;
 
  signals:
@@ -68,7 +68,7 @@ class VolumeView : public View {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  scene::VolumeOrder order_of(int level) const;
+  scene::VolumeRequest request_for(int level) const;
   void order_what_is_missing();
   void take_volume();
   void take_drawer();
@@ -87,7 +87,7 @@ class VolumeView : public View {
   scene::ViewSubject subject_;
   std::optional<scene::CameraFlight> flight_;
   double flight_began_ = 0.0, clock_ = 0.0, changed_at_ = 0.0;  // s
-  std::optional<scene::VolumeOrder> ordered_;
+  std::optional<scene::VolumeRequest> requested_;
   bool has_volume_ = false, moved_ = true;
   int shown_percent_ = -1;
   double scale_ = 1.0;  // pixels of the picture for one of the widget

@@ -30,7 +30,7 @@ struct WorkspacePicture::Side {
 WorkspacePicture::WorkspacePicture(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(180);
   setAccessibleName(tr("Workspace of the device"));
-  setToolTip(tr("Where the tool is, in the box that it can reach; below, the force that leaves"));
+  setToolTip(tr("Position of the tool in the workspace; below, the force sent to the device"));
 }
 
 void WorkspacePicture::show_hand(const haptics::DeviceAbilities& abilities, const std::optional<Pose>& hand,

@@ -8,8 +8,8 @@
 
 namespace bodkin::views {
 
-// Where a device's tool is in the box of its workspace, from above and from the operator's right, with the force that
-// leaves as a bar.
+// The position of a device's tool in its workspace, from above and from the operator's right, with the applied force
+// as a bar.
 class WorkspacePicture : public QWidget {
  public:
   explicit WorkspacePicture(QWidget* parent = nullptr);

@@ -7,7 +7,7 @@
 namespace bodkin::imaging {
 namespace {
 
-// A block of 40 x 30 x 60 voxels whose HU are what a function says.
+// A block of 40 x 30 x 60 voxels with HU from a function.
 template <typename Hounsfield>
 anatomy::CtVolume block(const Hounsfield& hounsfield) {
   anatomy::Grid grid;

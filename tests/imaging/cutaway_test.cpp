@@ -1,4 +1,4 @@
-// The oval of Sutherland et al. (2013), eq. 6, and what stands within it.
+// The oval of Sutherland et al. (2013), eq. 6, and its contents.
 #include "imaging/volume_rendering/cutaway.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(Cutaway, a_ball_is_drawn_where_the_camera_sees_it) {
     const Cutaway cast = cast_cutaway(caster, camera, {{110.0, 70.0}, {60.0, 60.0}, 0.9}, 200, 160, pool, moving);
     EXPECT_EQ(cast.coarser(), moving);
     EXPECT_NEAR(blend_cutaway(cast, pool, picture), 3.14159 * 60.0 * 60.0, 60.0);
-    // Of its outline, for light from one side moves the middle of what is bright.
+    // Of its outline, because light from one side moves the centre of brightness.
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     int seen = 0;
     for (int y = 0; y < 160; ++y) {

@@ -34,8 +34,7 @@ TEST(MeshCut, the_pieces_cover_the_cross_section_once) {
   const TetrahedralMesh mesh = unit_cube();
   Random random(3);
   for (int trial = 0; trial < 200; ++trial) {
-    // Planes perpendicular to z: the section is the unit square whatever the height, grid planes of the mesh
-    // included.
+    // Planes perpendicular to z: the section is the unit square at any height, grid planes of the mesh included.
     const double height = trial == 0 ? 0.5 : random.uniform(0.01, 0.99);
     SlicePlane plane;
     plane.corner = Vec3(0.3, 0.2, height);

@@ -24,7 +24,7 @@ void expect_well_formed(const std::string& svg) {
   EXPECT_EQ(result.exit_code, 0) << result.errors.substr(0, 500);
 }
 
-// The middle of the pixels that a test picks.
+// The middle of the pixels selected by a predicate.
 Eigen::Vector2d centroid(const ImageRgb& image, const std::function<bool(const Rgb&)>& chosen) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   double count = 0.0;

@@ -113,7 +113,7 @@ TEST(SlicePlane, the_sagittal_plane_along_a_path_holds_it_and_turns_as_little_as
   EXPECT_NEAR(plane.distance(path.entry), 0.0, 1e-9);
   EXPECT_NEAR(plane.distance(path.target), 0.0, 1e-9);
   EXPECT_NEAR(plane.right.dot(plane.down), 0.0, 1e-12);
-  // No plane that holds the path is closer to sagittal than the path's own angle with it.
+  // No plane through the path is closer to sagittal than the path's own angle with it.
   const double angle_of_path = std::asin(std::abs(path.direction().x()));
   EXPECT_NEAR(std::acos(std::abs(plane.normal().x())), angle_of_path, 1e-9);
   EXPECT_LT(plane.normal().x(), 0.0);

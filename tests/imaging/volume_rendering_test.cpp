@@ -1,4 +1,4 @@
-// Rays through volumes whose answer is known on paper.
+// Rays through volumes with known results.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -157,8 +157,8 @@ TEST(RayCaster, neither_threads_nor_skipped_blocks_change_a_bit) {
   }
 }
 
-// Where little of a ray's light is left steps are longer; a step of a quarter of a voxel has four times as many of
-// them.
+// Steps are longer when little of a ray's light is left; with a step of a quarter of a voxel there are four times as
+// many.
 TEST(RayCaster, long_steps_far_behind_are_not_seen) {
   const auto volume = prepared(balls());
   const VolumeCamera camera = camera_from(Vec3(90.0, -260.0, 70.0), 96);
@@ -184,8 +184,8 @@ TEST(RayCaster, long_steps_far_behind_are_not_seen) {
   EXPECT_LT(most, 64);  // at outlines, where rays of both meet the edge between different samples
 }
 
-// Light along a ray by the sum as it is written, in double precision: one sample after the other, no block skipped,
-// no step longer than another, to the end.
+// Light along a ray by the plain sum in double precision: every sample in turn, no block skipped, equal steps, to the
+// end.
 CastRay plain_ray(const anatomy::CtVolume& ct, const TransferFunction& transfer, double step, const Vec3& eye,
                   const Vec3& direction) {
   const Vec3 half = 0.5 * ct.grid.spacing, low = ct.grid.origin - half;
@@ -249,7 +249,7 @@ TEST(RayCaster, rays_meet_what_a_plain_sum_does) {
     TransferFunction transfer = preset_function(preset);
     for (OpacityPoint& point : transfer.opacity) point.opacity *= 0.02;
     const Off faint = off_from_plain(ct, transfer);
-    // As it is shown, with longer steps behind that, and an end where nothing can be seen.
+    // As displayed, with longer steps behind that, and an end where nothing is visible.
     const Off usual = off_from_plain(ct, preset_function(preset));
     std::printf("%s: of 255, %.4f in the mean, %.3f at most; with longer steps %.3f, %.1f\n",
                 std::string(name_of(preset)).c_str(), faint.mean, faint.most, usual.mean, usual.most);
@@ -296,8 +296,8 @@ TEST(RayCaster, pressed_tissue_is_met_where_it_is_now) {
   }
 }
 
-// What has moved as a whole looks as from an eye that has moved the other way; the samples lie elsewhere along the
-// rays, so they are taken close together.
+// A shift of the whole tissue looks like the opposite shift of the eye; the samples lie elsewhere along the rays, so
+// they are taken close together.
 TEST(RayCaster, tissue_that_has_moved_looks_as_from_an_eye_that_has_moved_the_other_way) {
   const Vec3 motion(6.0, -5.0, 9.0);
   const RestOffsets moved = offsets_of([&](const Vec3& /*now*/) { return Vec3(-motion); });

@@ -33,7 +33,7 @@ const anatomy::NeedlePath path = [] {
   return from_behind;
 }();
 
-// Pixels for which `is` holds.
+// Number of pixels for which `is` holds.
 template <typename Is>
 int count(const imaging::ImageRgb& image, const Is& is) {
   return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(), is));
@@ -70,7 +70,7 @@ TEST(CutOpenPicture, the_probe_is_drawn_where_it_went_with_its_slice) {
   const auto is_orange = [](const imaging::Rgb& pixel) {
     return pixel.red > 230 && pixel.green > 150 && pixel.green < 210 && pixel.blue < 110;
   };
-  const auto drawn = [&](const ProbeWay& probe) {
+  const auto drawn = [&](const ProbePath& probe) {
     return count(cut_open_picture(patient, path, {}, 320.0, 240.0, probe).pixels(1.0), is_orange);
   };
   const int none = drawn({});

@@ -10,7 +10,7 @@
 namespace bodkin::report {
 namespace {
 
-// What pdftotext reads in the file, its pages divided by form feeds.
+// The output of pdftotext for the file, its pages divided by form feeds.
 std::string text_in(const std::string& pdf) {
   const io::ProgramResult read = io::run_program({"pdftotext", "-layout", "-", "-"}, pdf, "poppler-utils");
   EXPECT_EQ(read.exit_code, 0) << read.errors;

@@ -66,7 +66,7 @@ TEST(MaterialDepth, is_asked_for_by_its_name) {
   EXPECT_NE(depth_label(PlottedDepth::hand), depth_label(PlottedDepth::material));
 }
 
-// What is left of a puncture's force in the tissue behind is the tissue's that gave way.
+// The remainder of a puncture's force in the next tissue belongs to the punctured one.
 TEST(MaterialDepth, the_fall_after_a_puncture_is_no_peak_of_the_next_tissue) {
   std::vector<simulation::TickRecord> ticks;
   const auto add = [&](double depth, double force, TissueId tissue) -> simulation::TickOutput& {

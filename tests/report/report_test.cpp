@@ -114,7 +114,7 @@ TEST(Report, tables_repeat_their_heads_on_paper_and_settings_are_folded_away) {
     return found;
   };
   EXPECT_EQ(count("<thead>"), 5);  // steps, tissues, distances, events and measures
-  EXPECT_NE(html.find("How near it came to what must not be entered"), std::string::npos);
+  EXPECT_NE(html.find("Distances to what must not be entered"), std::string::npos);
   EXPECT_EQ(count("<details>"), 1);
   EXPECT_NE(html.find("\n  &quot;hand&quot;: {"), std::string::npos) << html.substr(html.find("<details>"), 300);
 }
@@ -192,7 +192,7 @@ TEST(Report, shows_where_the_ultrasound_probe_was) {
     EXPECT_NEAR(width, session.header.ultrasound->aperture(), 1.0);
     EXPECT_NEAR(depth, 60.0, 1e-9);
   }
-  EXPECT_NEAR((figures.way(0.5).face.back() - session.scans.back().probe.translation()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((figures.path(0.5).face.back() - session.scans.back().probe.translation()).norm(), 0.0, 1e-9);
 }
 
 TEST(Report, shows_what_the_second_hand_felt) {

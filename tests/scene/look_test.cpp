@@ -1,4 +1,4 @@
-// What a person makes of the patient's looks: which part is shown, how opaque, in which colour; and looks in a case.
+// The user's changes to the patient's looks: visibility, opacity and colour of parts; and looks in a case.
 #include "scene/look.h"
 
 #include <algorithm>
@@ -193,7 +193,7 @@ TEST(Look, a_needle_behind_a_translucent_bone_is_seen_through_it) {
   };
   const int behind = contrast(30.0, 0.5), bare = contrast(30.0, 0.0);
   EXPECT_NEAR(behind, 0.5 * bare, 0.08 * bare) << "half of it comes through";
-  // Where a needle covers a pixel, nothing behind it counts.
+  // In a pixel covered by a needle, nothing behind it counts.
   const auto row = [&](double opacity, bool needle) {
     const Look look = bones_with({{"bone", opacity > 0.0, opacity, {}}});
     const SoftwareView view = needle ? with_needle(-30.0, look) : look_at(ball_surfaces(), look);
@@ -259,7 +259,7 @@ TEST_F(LookFile, refuses_what_is_wrong_with_the_line_and_what_was_expected) {
             std::string::npos);
   EXPECT_NE(fault(head + "<part name=\"bone\" colour=\"red\"/>" + tail).find("#8a5878"), std::string::npos);
   EXPECT_NE(fault(head + camera + tail).find("line 3: camera: eye and focus"), std::string::npos);
-  EXPECT_NE(fault(head + "<part name=\"b\"/><part name=\"b\"/>" + tail).find("stands twice"), std::string::npos);
+  EXPECT_NE(fault(head + "<part name=\"b\"/><part name=\"b\"/>" + tail).find("appears twice"), std::string::npos);
   EXPECT_NE(fault("<looks version=\"1\"><look name=\"a\"/><look name=\"a\"/></looks>").find("two looks called 'a'"),
             std::string::npos);
   EXPECT_NE(fault("<looks version=\"1\" opens_with=\"b\"><look name=\"a\"/></looks>").find("opens_with is 'b'"),

@@ -53,18 +53,18 @@ TEST(DepthSegments, the_one_at_a_depth_is_found) {
 }
 
 TEST(SpreadLabels, with_room_for_all_nothing_moves) {
-  const std::array<double, 3> wishes = {10.0, 40.0, 90.0};
-  EXPECT_EQ(spread_labels(wishes, 12.0, 0.0, 100.0), std::vector<double>(wishes.begin(), wishes.end()));
+  const std::array<double, 3> desired = {10.0, 40.0, 90.0};
+  EXPECT_EQ(spread_labels(desired, 12.0, 0.0, 100.0), std::vector<double>(desired.begin(), desired.end()));
 }
 
 TEST(SpreadLabels, neighbours_part_evenly) {
-  const std::array<double, 3> wishes = {50.0, 50.0, 50.0};
-  EXPECT_EQ(spread_labels(wishes, 12.0, 0.0, 100.0), (std::vector<double>{38.0, 50.0, 62.0}));
+  const std::array<double, 3> desired = {50.0, 50.0, 50.0};
+  EXPECT_EQ(spread_labels(desired, 12.0, 0.0, 100.0), (std::vector<double>{38.0, 50.0, 62.0}));
 }
 
 TEST(SpreadLabels, all_stay_within_the_bar_whatever_they_wish) {
-  const std::array<double, 6> wishes = {-5.0, 2.0, 3.0, 97.0, 99.0, 140.0};
-  const std::vector<double> places = spread_labels(wishes, 12.0, 0.0, 100.0);
+  const std::array<double, 6> desired = {-5.0, 2.0, 3.0, 97.0, 99.0, 140.0};
+  const std::vector<double> places = spread_labels(desired, 12.0, 0.0, 100.0);
   for (std::size_t i = 0; i < places.size(); ++i) {
     EXPECT_GE(places[i], -1e-9);
     EXPECT_LE(places[i], 100.0 + 1e-9);
@@ -75,8 +75,8 @@ TEST(SpreadLabels, all_stay_within_the_bar_whatever_they_wish) {
 }
 
 TEST(SpreadLabels, too_many_come_closer_evenly) {
-  const std::vector<double> wishes(11, 70.0);
-  const std::vector<double> places = spread_labels(wishes, 12.0, 0.0, 100.0);
+  const std::vector<double> desired(11, 70.0);
+  const std::vector<double> places = spread_labels(desired, 12.0, 0.0, 100.0);
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_NEAR(places[i], 10.0 * static_cast<double>(i), 1e-9);
 }
 

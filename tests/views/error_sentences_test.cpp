@@ -11,8 +11,8 @@
 #include "views/language.h"
 #include <gtest/gtest.h>
 
-// Errors that other modules throw reach the window as whole sentences. What is thrown is read from the source, so
-// that a new sentence without German text is found.
+// Errors thrown by other modules appear in the window as whole sentences. They are read from the source, so that a
+// new sentence without German text is found.
 
 namespace bodkin::views {
 namespace {
@@ -21,16 +21,16 @@ namespace fs = std::filesystem;
 
 using Tokens = std::vector<std::string>;
 
-// The modules that the window is made of; the others are commands and programs of their own.
+// The modules of the window; the others are commands and separate programs.
 constexpr std::array modules = {"anatomy", "app",      "core",     "forces", "haptics", "imaging",
                                 "io",      "link",     "patient",  "scene",  "session", "simulation",
                                 "station", "tracking", "training", "views"};
-// What is said on the command line alone.
+// Files whose errors appear on the command line only.
 const std::set<std::string> without_window = {"app/benchmark.cpp",   "app/main.cpp",
                                               "app/script.cpp",      "station/ultrasound_request.cpp",
                                               "training/cohort.cpp", "training/cusum.cpp"};
 
-// Words, literals with their quotation marks, and signs; no blanks and no comments.
+// Words, literals with their quotation marks, and signs; no blanks or comments.
 Tokens tokens_of(const std::string& source) {
   static const QRegularExpression token(
       QStringLiteral(R"(//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)'|\w+|\s+|.)"),
@@ -49,7 +49,7 @@ bool is_literal(const std::string& token) {
   return token.front() == '"';
 }
 
-// Splits at a sign that stands outside of all brackets.
+// Splits at a sign outside all brackets.
 std::vector<Tokens> split(const Tokens& tokens, const std::string& sign) {
   std::vector<Tokens> parts(1);
   int depth = 0;
@@ -77,9 +77,9 @@ std::string unquoted(const std::string& literal) {
   return text;
 }
 
-constexpr char hole = '\x01';  // something that varies
+constexpr char hole = '\x01';  // a variable part
 
-// Literals side by side; something that varies if there is anything else among them.
+// Adjacent literals; a variable part if there is anything else between them.
 std::string literals(const Tokens& tokens) {
   std::string text;
   for (const std::string& token : tokens) {
@@ -112,7 +112,7 @@ std::string text_of(const Tokens& tokens) {
       .toStdString();
 }
 
-// As the dictionary writes it: %1 to %9 in order for what varies.
+// In the dictionary's notation: %1 to %9 in order for the variable parts.
 QString numbered(const std::string& text) {
   QString made;
   int number = 0;
@@ -146,14 +146,14 @@ std::vector<std::string> thrown_in(const std::string& source) {
   return texts;
 }
 
-// What says nothing by itself: names, numbers and the sentences of others.
+// Texts without a sentence of their own: names, numbers and embedded sentences.
 bool is_frame(const QString& text) {
   static const QRegularExpression word(QStringLiteral("[A-Za-z]{3}"));
   QString bare = text;
   return !bare.remove(QRegularExpression(QStringLiteral("%\\d"))).contains(word);
 }
 
-// The file or the part in front, "%1: " or "servo: ", is put back by a pattern of its own.
+// The file or part in front, "%1: " or "servo: ", has a pattern of its own.
 bool is_known(const Language& german, std::string text) {
   static const QRegularExpression front(QStringLiteral("^(?:\x01|[a-z_ ]+)(?:, line \x01)?: "));
   while (true) {

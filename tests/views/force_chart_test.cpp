@@ -12,7 +12,7 @@ namespace {
 
 using bodkin_test::frame_at;
 
-// A chart that was told of a needle that went in to a depth, 0.05 mm and 2 ms a sample, force = depth / 10.
+// A chart of a needle that moves to a depth in steps of 0.05 mm and 2 ms, with force = depth / 10.
 struct ShownChart {
   ForceChart chart;
   double time = 0.0;
@@ -35,7 +35,7 @@ struct ShownChart {
     frame.time = time;
     chart.show_frame(frame, Changes::all());
   }
-  // Without the events and the forgetting of a new attempt.
+  // Continues without events and without the reset of a new attempt.
   void go_on(double from, double to) {
     std::vector<station::HandSample> samples;
     const double step = to > from ? 0.05 : -0.05;
@@ -124,8 +124,8 @@ TEST(ForceChart, against_time_its_cost_does_not_grow) {
   EXPECT_FALSE(shown.chart.grab().isNull());
 }
 
-TEST(MetTissues, run_together_and_know_no_deeper) {
-  MetTissues met;
+TEST(CrossedTissues, run_together_and_know_no_deeper) {
+  CrossedTissues met;
   for (double depth = 0.02; depth < 5.0; depth += 0.07) {
     met.add(depth, depth < 2.0 ? anatomy::tissue::skin : anatomy::tissue::fat);
   }

@@ -65,7 +65,7 @@ TEST(HistogramColumns, every_value_is_in_one_column_of_the_logarithmic_axis) {
   haptics::LatencyHistogram histogram;
   for (int i = 0; i < 90; ++i) histogram.record(12e-6);
   for (int i = 0; i < 9; ++i) histogram.record(150e-6);
-  histogram.record(0.5);  // beyond the axis
+  histogram.record(0.5);  // outside the axis
   const auto columns = histogram_columns(histogram, 1e-6, 1e-2, 4);
   EXPECT_NEAR(columns[0], 0.0, 1e-12);
   EXPECT_NEAR(columns[1], 0.90, 1e-12) << "10 to 100 us";

@@ -26,7 +26,7 @@ std::string german(const Language& language, const char* context, const std::str
   return language.translate(context, text.c_str(), nullptr, -1).toStdString();
 }
 
-// The literals that stand right after this, put together: tr("one "\n  "text") gives "one text".
+// The literals directly after a call, joined: tr("one "\n  "text") gives "one text".
 std::set<std::string> texts_after(const std::string& source, const std::string& call) {
   static const std::string literal = R"re("(?:[^"\\]|\\.)*")re";
   const std::regex whole(call + R"(()" + literal + R"((?:\s*)" + literal + R"()*)\s*[,)])");
@@ -67,7 +67,7 @@ TEST(Language, german_has_every_text_of_the_window) {
   EXPECT_GT(texts, 700);
 }
 
-// What a bar of progress says of its stage.
+// The texts of a progress bar.
 TEST(Language, german_has_every_stage_of_long_work) {
   const Language language(QStringLiteral("de"), translations);
   int texts = 0;

@@ -7,7 +7,7 @@
 namespace bodkin::views {
 namespace {
 
-// A picture takes time in proportion to its rays and to the steps on each.
+// An image takes time in proportion to its rays and to the steps along each.
 double time_of(const MovingDetail& detail, double finest) {
   return finest * detail.rays() / MovingDetail::most_rays * MovingDetail::finest_step / detail.step();
 }

@@ -1,4 +1,4 @@
-// The views are painted into memory: no display is needed.
+// The views are painted into memory: no display needed.
 #include <QApplication>
 #include <memory>
 

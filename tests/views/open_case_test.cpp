@@ -29,7 +29,7 @@ TEST(PlaceName, in_the_canal_it_is_the_tissue_and_elsewhere_the_structure) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(place_name(patient, Vec3(i, 0.0, 0.0)), names[i]) << i;
 }
 
-// A tip that pushes a boundary before it is still in what stands before the boundary.
+// A tip that pushes a boundary ahead is still in the tissue in front of that boundary.
 TEST(PlaceName, of_a_tip_in_the_deformed_material_is_what_it_is_in) {
   using namespace anatomy::tissue;
   const anatomy::Case patient = row();

@@ -1,4 +1,4 @@
-// The panels beside the picture of the patient: ladder, bullseye, banner, label of the tip, numbers, bar,
+// The panels next to the view of the patient: ladder, bullseye, banner, label of the tip, numbers, bar,
 // diagnostics.
 #include <QPushButton>
 #include <QSignalSpy>
@@ -85,7 +85,7 @@ TEST(DepthLadder, is_as_wide_as_the_longest_name_in_it) {
   const int wide = ladder.sizeHint().width();
   const int letters = QFontMetrics(font(label_size, true)).horizontalAdvance("a tissue with a name of some length");
   EXPECT_GT(wide, letters + 30) << "the bar stands beside it";
-  // The last letter is drawn, and what is drawn changes no more with more room.
+  // The last letter is drawn, and more room changes nothing.
   ladder.resize(wide, 370);
   const QImage fits = ladder.grab().toImage();
   ladder.resize(wide + 60, 370);
@@ -226,7 +226,7 @@ TEST(DiagnosticsDock, tells_what_the_device_can_do_and_what_the_station_says) {
   frame.clock += 1.0;
   dock.show_frame(frame, Changes::all());
   const QImage after = dock.grab().toImage();
-  // At the foot alone.
+  // Only at the bottom.
   EXPECT_NE(after.copy(0, 500, 300, 140), before.copy(0, 500, 300, 140));
   EXPECT_EQ(after.copy(0, 0, 300, 300), before.copy(0, 0, 300, 300));
 }
@@ -248,13 +248,13 @@ TEST(DiagnosticsDock, knows_how_far_the_wall_is_ahead) {
   frame.timings = &timings;
   frame.guard = haptics::GuardState::active;
   show(dock, 300, 520, frame);
-  ASSERT_TRUE(dock.wall_ahead());
-  EXPECT_NEAR(*dock.wall_ahead(), 1.5, 1e-12);
+  ASSERT_TRUE(dock.wall_distance());
+  EXPECT_NEAR(*dock.wall_distance(), 1.5, 1e-12);
   EXPECT_EQ(dock.log().lines().size(), 1U);
   EXPECT_FALSE(dock.grab().isNull());
   frame.diagnostic_names = {};
   dock.show_frame(frame, Changes::all());
-  EXPECT_FALSE(dock.wall_ahead());
+  EXPECT_FALSE(dock.wall_distance());
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ const anatomy::NeedlePath path{Vec3(0, 30, 0), Vec3(0, -10, 0)};
 
 TEST(PathOffset, on_the_path_there_is_none) {
   const PathOffset offset = path_offset(path, Vec3(0, 10, 0), Vec3(0, -1, 0));
-  EXPECT_NEAR(offset.beside, 0.0, 1e-12);
+  EXPECT_NEAR(offset.distance, 0.0, 1e-12);
   EXPECT_NEAR(offset.angle, 0.0, 1e-9);
   EXPECT_NEAR(offset.to_target, 20.0, 1e-12);
   EXPECT_EQ(offset.side, Side::none);
@@ -50,7 +50,7 @@ TEST(PathOffset, a_path_along_the_body_has_the_front_up) {
 
 TEST(PathOffset, a_path_without_length_says_nothing) {
   const PathOffset offset = path_offset({Vec3::Zero(), Vec3::Zero()}, Vec3(1, 2, 3), Vec3(0, 0, 1));
-  EXPECT_EQ(offset.beside, 0.0);
+  EXPECT_EQ(offset.distance, 0.0);
   EXPECT_EQ(offset.angle, 0.0);
 }
 

@@ -38,7 +38,7 @@ TEST(SliceSampling, a_slab_has_the_mean_or_the_greatest_of_its_thickness) {
   sample_hounsfield(plane, patient->patient.ct, {}, thin);
   sample_hounsfield(plane, patient->patient.ct, {8.0, SlabKind::mean}, mean);
   sample_hounsfield(plane, patient->patient.ct, {8.0, SlabKind::maximum}, most);
-  // The HU rise by 5 a millimetre along the normal.
+  // The HU rise by 5 per millimetre along the normal.
   EXPECT_NEAR(mean[150], thin[150], 1e-3);
   EXPECT_NEAR(most[150], thin[150] + 5.0 * 4.0, 1e-3);
 }
@@ -88,7 +88,7 @@ TEST(SliceSampling, greys_follow_the_window) {
 TEST(ForbiddenPlaces, are_vessels_nerves_and_critical_structures) {
   auto open = *bodkin_test::layered_patient();
   open.patient.structures = anatomy::LabelVolume(open.patient.tissues.grid);
-  const Vec3 organ(20, 10.25, -20);  // the middle of a voxel
+  const Vec3 organ(20, 10.25, -20);  // the centre of a voxel
   const Vec3 index = open.patient.structures.grid.to_index(organ);
   open.patient.structures.at(static_cast<int>(index.x()), static_cast<int>(index.y()), static_cast<int>(index.z())) =
       7;

@@ -42,7 +42,7 @@ TEST(SliceView, a_pixel_shows_the_value_of_its_place_through_window_and_level) {
     look.tints = false;
     slice.view.set_look(look);
     const QImage picture = slice.picture();
-    // Away from needle, crosshair and letters.
+    // Away from needle, crosshair and text.
     for (const QPoint place : {QPoint(120, 60), QPoint(300, 90), QPoint(140, 220), QPoint(290, 200)}) {
       const Vec3 point = slice.view.to_patient(QPointF(place) + QPointF(0.5, 0.5));
       if (point.cwiseAbs().maxCoeff() > 49.0) continue;
@@ -90,7 +90,7 @@ TEST(SliceView, of_a_patient_who_breathes_shows_what_has_moved_there) {
   }
 }
 
-// A probe has moved everything by the same vector: each pixel shows what lay that far away.
+// A probe moved everything by the same vector: each pixel shows the tissue that has moved there.
 TEST(SliceView, of_a_patient_who_is_pressed_shows_what_has_moved_there) {
   const Vec3 moved(6.0, -3.0, -4.0);
   const imaging::PointLattice lattice =
@@ -107,7 +107,7 @@ TEST(SliceView, of_a_patient_who_is_pressed_shows_what_has_moved_there) {
     look.tints = look.hatched = false;
     slice.view.set_look(look);
     const QImage at_rest = slice.picture();
-    frame.moved_tissue = std::make_shared<const imaging::MovedTissue>(lattice, displacements);
+    frame.moved_tissue = std::make_shared<const imaging::TissueDisplacement>(lattice, displacements);
     slice.view.show_frame(frame, {});
     const QImage picture = slice.picture();
     for (const QPoint place : {QPoint(120, 60), QPoint(300, 90), QPoint(140, 220), QPoint(290, 200)}) {
@@ -129,7 +129,7 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
     EXPECT_NEAR(slice.view.plane().distance(tip), 0.0, 1e-9);
     const QPointF at = slice.view.to_widget(tip);
     EXPECT_NEAR((slice.view.to_patient(at) - tip).norm(), 0.0, 1e-9);
-    // The picture below the needle's tip.
+    // The image under the needle's tip.
     SliceImage image;
     image.set_case(bodkin_test::layered_patient());
     SliceLook look;
@@ -137,7 +137,7 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
     const QImage picture = image.picture(slice.view.plane(), look);
     const QRgb pixel = picture.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
     EXPECT_NEAR(qRed(pixel), expected_grey(tip, look), 1.5);
-    // Upon it the tip has the colour of the tissue that it is in.
+    // Over it the tip has the colour of its tissue.
     const QColor drawn = slice.picture().pixelColor(at.toPoint());
     const QColor muscle = tissue_colour(anatomy::tissue::muscle, bodkin_test::layered_patient()->patient.library);
     EXPECT_NEAR(drawn.red(), muscle.red(), 12);
@@ -145,7 +145,7 @@ TEST(SliceView, the_slice_at_the_tip_shows_the_voxel_of_the_tip) {
   }
 }
 
-// The target's mark is as large as the case lets the tip be off, wherever the slice is centred.
+// The ring around the target has the case's tolerance as its radius, wherever the slice is centred.
 TEST(SliceView, the_target_is_ringed_by_its_tolerance) {
   const QColor teal = Theme::dark().plan;
   for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
@@ -155,7 +155,7 @@ TEST(SliceView, the_target_is_ringed_by_its_tolerance) {
       frame.target_tolerance = tolerance;
       frame.plan->target += Vec3(6.0, -1.0, 4.0);
       ShownSlice slice(kind, frame);
-      // The crosshair stands aside in the slice through the target.
+      // The crosshair lies in the slice through the target, away from the target.
       const Vec3 aside(21.0, 13.0, 17.0), normal = slice.view.plane().normal();
       frame.crosshair = frame.plan->target + aside - aside.dot(normal) * normal;
       slice.view.show_frame(frame, Changes::all());
@@ -197,7 +197,7 @@ TEST(SliceView, the_target_is_ringed_by_its_tolerance) {
 
 TEST(SliceView, an_attempt_whose_plan_is_hidden_does_not_begin_at_it) {
   OpenCase aside = *bodkin_test::layered_patient();
-  const Vec3 off(25.0, 0.0, 0.0);  // from the middle of the image
+  const Vec3 off(25.0, 0.0, 0.0);  // from the centre of the image
   anatomy::NeedlePath& path = *aside.patient.description.procedure.path;
   path = {path.entry + off, path.target + off};
   const auto patient = std::make_shared<const OpenCase>(aside);
@@ -228,7 +228,7 @@ TEST(SliceView, the_conus_is_lettered_in_the_planes_that_pass_near_it) {
     view.show_frame(frame_at(20.0), Changes::all());
     const QImage picture = view.grab().toImage();
     const QColor ink = Theme::dark().caution;
-    // To the right of the place, where the word stands.
+    // To the right of the landmark, where the word is.
     const QPoint at = view.to_widget(patient->description().landmarks.front().position).toPoint();
     int pixels = 0;
     for (int y = at.y() - 12; y < at.y() + 12; ++y)
@@ -258,7 +258,7 @@ TEST(SliceView, the_needle_is_white_along_the_computed_line) {
     if (std::abs(std::remainder(along, 10.0)) < 2.0) continue;  // a tick
     ++checked;
     white += qGreen(picture.pixel(static_cast<int>(at.x()), static_cast<int>(at.y()))) > 190 ? 1 : 0;
-    // And beside it the dark border.
+    // The dark border next to the needle.
     const QPointF across(axis.z(), axis.y());
     const QPointF edge = at + 2.0 * QPointF(across.x(), across.y());
     EXPECT_LT(qGreen(picture.pixel(static_cast<int>(edge.x()), static_cast<int>(edge.y()))), 140) << along;
@@ -282,7 +282,7 @@ TEST(SliceView, a_distance_that_was_clicked_reads_50_mm) {
   EXPECT_NEAR(value_of(measures->all()[0]), 50.0, pixel);
   EXPECT_GE(spy.count(), 3);
 
-  // It stays, and X deletes it under the pointer.
+  // The measurement stays; X deletes it under the pointer.
   QTest::mouseMove(&slice.view, QPoint(200, 250));
   QTest::keyClick(&slice.view, Qt::Key_X);
   EXPECT_EQ(measures->all().size(), 1U);

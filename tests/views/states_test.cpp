@@ -9,7 +9,7 @@
 namespace bodkin::views {
 namespace {
 
-// A machine in `wanted`, brought there by edges from the start; nothing where no edges lead.
+// A machine in state `wanted`, reached by edges from the start; nothing if unreachable.
 std::optional<StateMachine> machine_in(State wanted) {
   std::vector<StateMachine> waiting = {StateMachine()};
   std::set<State> seen = {State::no_case};

@@ -23,7 +23,7 @@ TEST(Theme, arrows_and_ticks_of_its_style_sheet_are_there_and_are_seen_on_dark_a
       const QImage picture(file);
       ASSERT_FALSE(picture.isNull()) << file.toStdString();
       EXPECT_TRUE(QFileInfo::exists(QString(file).replace(QStringLiteral(".png"), QStringLiteral("@2x.png"))));
-      // Some pixel differs from what is under it: fields for arrows, the accent for the tick.
+      // Some pixel differs from its background: fields for arrows, the accent for the tick.
       const QColor under = file.contains(QStringLiteral("tick")) ? theme->accent : theme->raised;
       int most = 0;
       for (int y = 0; y < picture.height(); ++y) {

@@ -14,13 +14,13 @@
 namespace bodkin::views {
 namespace {
 
-// A view with a probe on the layered patient's back and a first picture.
+// A view with a probe on the layered patient's back and a first image.
 struct ShownScan {
   UltrasoundView view;
   Frame frame = bodkin_test::frame_at(20.0);
-  station::LivePicture picture;
-  station::ScanOrder ordered;
-  int orders = 0;
+  station::LiveImage picture;
+  station::ScanSetup setup;
+  int changes = 0;
 
   explicit ShownScan(int width = 452, int height = 376) {
     view.resize(width, height);
@@ -29,20 +29,20 @@ struct ShownScan {
     choice.settings.depth = 60.0;
     choice.pose = imaging::probe_pose(Vec3(0, 30, 0), -Vec3::UnitY(), Vec3::UnitZ());
     view.set_scan(choice);
-    QObject::connect(&view, &UltrasoundView::scan_ordered, [this](const station::ScanOrder& order) {
-      ordered = order;
-      ++orders;
+    QObject::connect(&view, &UltrasoundView::scan_setup_changed, [this](const station::ScanSetup& changed) {
+      setup = changed;
+      ++changes;
     });
     picture.number = 1;
     picture.frame.width = picture.frame.height = 100;
     picture.frame.pixel = 0.6;
     picture.frame.corner = Vec3(-29.7, 0.3, 0.0);
     picture.frame.pixels.assign(10000, 90);
-    picture.order = {*choice.pose, choice.settings};
+    picture.setup = {*choice.pose, choice.settings};
     frame.ultrasound = &picture;
     frame.clock = 1.0;
     view.show_frame(frame, Changes::all());
-    orders = 0;
+    changes = 0;
   }
   void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyClick(&view, static_cast<Qt::Key>(key), modifiers);
@@ -65,28 +65,28 @@ TEST(UltrasoundView, shows_the_newest_picture) {
 TEST(UltrasoundView, knobs_and_probe_are_orders_to_the_station) {
   ShownScan shown;
   shown.key(Qt::Key_D);
-  EXPECT_EQ(shown.orders, 1);
-  EXPECT_EQ(shown.ordered.settings.depth, 70.0);
+  EXPECT_EQ(shown.changes, 1);
+  EXPECT_EQ(shown.setup.settings.depth, 70.0);
   shown.key(Qt::Key_D, Qt::ShiftModifier);
-  EXPECT_EQ(shown.ordered.settings.depth, 60.0);
+  EXPECT_EQ(shown.setup.settings.depth, 60.0);
   QWheelEvent wheel(QPointF(200, 200), QPointF(200, 200), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
                     Qt::NoScrollPhase, false);
   const Vec3 before = shown.view.scan()->pose().translation();
   QApplication::sendEvent(&shown.view, &wheel);
   EXPECT_NEAR((shown.view.scan()->pose().translation() - before).norm(), 0.5, 1e-9)
       << "pressed in by half a millimetre";
-  EXPECT_EQ(shown.orders, 3);
+  EXPECT_EQ(shown.changes, 3);
 }
 
 TEST(UltrasoundView, a_new_attempt_is_told_where_the_probe_is) {
   ShownScan shown;
   shown.key(Qt::Key_D);
-  EXPECT_EQ(shown.orders, 1);
+  EXPECT_EQ(shown.changes, 1);
   Changes changes;
   changes.attempt = true;
   shown.view.show_frame(shown.frame, changes);
-  EXPECT_EQ(shown.orders, 2) << "its station begins where the choice has the probe";
-  EXPECT_EQ(shown.ordered.settings.depth, 70.0);
+  EXPECT_EQ(shown.changes, 2) << "its station begins where the choice has the probe";
+  EXPECT_EQ(shown.setup.settings.depth, 70.0);
 }
 
 TEST(UltrasoundView, held_keys_move_the_probe_while_frames_come) {

@@ -22,7 +22,7 @@ namespace {
 using bodkin_test::frame_at;
 using bodkin_test::layered_patient;
 
-// The made-up patient as a block of voxels of 2 mm, whose surfaces are made in no time.
+// The made-up patient in voxels of 2 mm, whose surfaces are computed quickly.
 std::shared_ptr<const OpenCase> coarse_patient() {
   static const std::shared_ptr<const OpenCase> made = [] {
     auto open = std::make_shared<OpenCase>(*layered_patient());
@@ -121,7 +121,7 @@ TEST_F(View3dTest, the_pointer_over_the_skin_aims_at_the_point_below_it) {
   const auto& [hit, outwards] = aimed.front();
   EXPECT_LT((hit - point).norm(), 1.0);
   EXPECT_GT(outwards.dot(Vec3::UnitY()), 0.98);
-  QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(200, 1));  // beside the patient
+  QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(200, 1));  // outside the patient
   EXPECT_EQ(down.count(), 1);
 }
 
@@ -130,7 +130,7 @@ TEST_F(View3dTest, the_patient_moves_as_breath_is_drawn_in) {
   anatomy::Breathing breathing;
   breathing.centre = Vec3(0.0, 30.0, 0.0);
   breathing.motion = Vec3(0.0, 9.0, 0.0);
-  breathing.radius = 100.0;  // wide beside the triangles of a flat skin
+  breathing.radius = 100.0;  // large compared with the triangles of a flat skin
   open->patient.description.breathing = breathing;
   view_.set_case(open);
   ASSERT_TRUE(wait_until_ready());
@@ -151,7 +151,7 @@ TEST_F(View3dTest, the_patient_moves_as_breath_is_drawn_in) {
     const double inside = std::max(0.0, 1.0 - (before - breathing.centre).squaredNorm() / (100.0 * 100.0));
     EXPECT_NEAR(after.y() - before.y(), 0.8 * 9.0 * inside * inside, 0.6) << x << " " << z;
   }
-  // A dent is where the needle is: its bottom moves with the skin.
+  // The dent is at the needle: its bottom moves with the skin.
   Frame frame = frame_at(2.0);
   frame.drawn_in = 0.8;
   frame.dimple.at = Vec3(0.0, 30.0 + 0.8 * 9.0, 0.0);
@@ -208,7 +208,7 @@ TEST_F(View3dTest, the_hub_is_dragged_along_the_needle_millimetre_by_millimetre)
   move(at(hub), at(hub + 20.0 * inwards));
   double sum = 0.0;
   for (const auto& arguments : dragged) sum += arguments[0].toDouble();
-  EXPECT_GT(sum, 16.0);  // 20 mm but for the first pixels, which decide what the drag means
+  EXPECT_GT(sum, 16.0);  // 20 mm, less the first pixels, which decide the kind of drag
   EXPECT_LT(sum, 21.0);
   EXPECT_EQ(tilted.count(), 0);
   dragged.clear();
@@ -219,7 +219,7 @@ TEST_F(View3dTest, the_hub_is_dragged_along_the_needle_millimetre_by_millimetre)
   EXPECT_GT(cranial, 0.0) << "the hub went to the head";
 }
 
-// Heng et al. 2004: the handle changes its colour when the needle meets the body.
+// Heng et al. 2004: the handle changes colour when the needle touches the body.
 TEST_F(View3dTest, the_hub_has_another_colour_while_the_needle_touches_the_body) {
   look(scene::StandardView::left);
   scene::NeedleLook needle;
@@ -266,7 +266,7 @@ TEST_F(View3dTest, drags_turn_keys_choose_views_and_the_cube_too) {
   show(frame_at(-5.0));
   show(frame_at(-5.0));
   EXPECT_TRUE(looks_from().isApprox(Vec3::UnitY(), 1e-6)) << "1 is from behind";
-  // The face of the cube that shows in its middle is the one that is seen.
+  // The face in the middle of the cube is the one seen.
   QTest::keyClick(&view_, Qt::Key_Right);
   QTest::mouseClick(&view_, Qt::LeftButton, {}, QPoint(12 + 38, 300 - 12 - 38));
   show(frame_at(-5.0));
@@ -285,7 +285,7 @@ TEST_F(View3dTest, the_dimple_of_a_frame_is_as_deep_in_the_scene) {
   EXPECT_LT((bottom - Vec3(0.4, 27.0, 0.2)).norm(), 1e-3);
   const std::vector<float> displacements(3 * view_.deformable_points().size(), 0.25F);
   frame.displacements = displacements;
-  frame.dimple.at = Vec3(4.0, 30.0, -3.0);  // elsewhere, but the points that were asked for stay
+  frame.dimple.at = Vec3(4.0, 30.0, -3.0);  // elsewhere, but within the same requested points
   show(frame);
   EXPECT_EQ(view_.deformable_points().size() * 3, displacements.size());
   EXPECT_LT((patch.mesh().points[patch.bottom()].cast<double>() - Vec3(4.0, 27.0, -3.0)).norm(), 1e-3);
@@ -312,7 +312,7 @@ TEST_F(View3dTest, stereo_shows_each_eye_its_own_picture) {
   EXPECT_EQ(view_.scene()->width(), 200);
   const QImage both = view_.grab().toImage();
   EXPECT_EQ(both.width(), 400);
-  // The needle stands nearer than the focus: the right eye sees it farther left.
+  // The needle is nearer than the focus: the right eye sees it farther left.
   const Vec3 hub = scene::hub_middle(scene::NeedleLook{.pose = frame_at(-20.0).needle});
   const auto left = scene::Projection(scene::eyes(view_.camera())[0], 200, 300).place(hub);
   const auto right = scene::Projection(scene::eyes(view_.camera())[1], 200, 300).place(hub);

@@ -18,20 +18,20 @@ constexpr double air_impedance = 0.0004;        // MRayl
 constexpr double greatest_impedance = 8.0;      // MRayl, that the map from HU gives
 constexpr double mast_offset = 349.0;           // kg/m^3; speed = (density + offset) / slope, Mast 2000
 constexpr double mast_slope = 0.893;            // kg s/m^4
-constexpr double largest_variation = 0.08;      // share of a tissue's impedance that its HU may change
+constexpr double largest_variation = 0.08;      // fraction of a tissue's impedance by which its HU may change it
 constexpr double softest = 1.0, hardest = 3.0;  // MRayl, the range in which HU predict impedance as in soft tissue
 
-// The Gaussian against the noise of the CT: 0.7 voxels, which takes three quarters of it.
+// The Gaussian against the noise of the CT: 0.7 voxels, which removes three quarters of it.
 constexpr int gaussian_reach = 2;  // voxels
 constexpr std::array<float, 2 * gaussian_reach + 1> gaussian = {0.0169F, 0.3604F, 1.0F, 0.3604F, 0.0169F};
 
 constexpr double surely_air = -200.0;            // HU; air shows less somewhere
 constexpr int picture_white = 200;               // the brightest of eight bits; a phantom of a few HU is darker
 constexpr double surely_not_soft = 400.0;        // HU by which soft tissue may miss its typical value on average
-constexpr std::size_t largest_sample = 1 << 20;  // voxels that the mean of soft tissue is taken over
+constexpr std::size_t largest_sample = 1 << 20;  // voxels for the mean of soft tissue
 constexpr int progress_reports = 32;
 
-// impedance_of_hounsfield in steps of an eighth of a HU; the map has to be quick and steps must not echo.
+// impedance_of_hounsfield in steps of an eighth of a HU; the map must be fast, and the steps must not echo.
 class HounsfieldTable {
  public:
   HounsfieldTable() : impedance_(static_cast<std::size_t>((last - first) * steps + 1)) {
@@ -53,7 +53,7 @@ bool is_bone(std::size_t id) {
   return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone;
 }
 
-// Tissues too thin for a CT: they are constructed where anatomy puts them, and the HU there are of their neighbours.
+// Tissues too thin for a CT: they are constructed by anatomy, and the HU there belong to their neighbours.
 constexpr std::array<anatomy::TissueId, 9> constructed = {anatomy::tissue::skin,
                                                           anatomy::tissue::supraspinous_ligament,
                                                           anatomy::tissue::interspinous_ligament,
@@ -64,19 +64,19 @@ constexpr std::array<anatomy::TissueId, 9> constructed = {anatomy::tissue::skin,
                                                           anatomy::tissue::nerve,
                                                           anatomy::tissue::spinal_cord};
 
-bool hounsfield_tell(std::size_t id, double impedance) {
+bool varies_with_hounsfield(std::size_t id, double impedance) {
   return !is_bone(id) && impedance >= softest && impedance <= hardest &&
          std::find(constructed.begin(), constructed.end(), id) == constructed.end();
 }
 
-// How the impedance of one tissue comes about: own + (map(HU) - typical), held within own +- most.
+// The impedance of one tissue: own + (map(HU) - typical), limited to own +- most.
 struct ImpedanceRule {
   float own = 0.0F;      // MRayl
   float typical = 0.0F;  // MRayl, of the map at the tissue's typical HU
   float most = 0.0F;     // MRayl
 };
 
-// Every tissue by id. Without an impedance of its own a tissue has that of its HU, whatever they are.
+// Every tissue by id. A tissue without an impedance value has that of its HU.
 std::array<ImpedanceRule, 256> impedance_rules(const anatomy::TissueLibrary& library) {
   std::array<ImpedanceRule, 256> rules;
   for (std::size_t id = 0; id < rules.size(); ++id) {
@@ -88,7 +88,7 @@ std::array<ImpedanceRule, 256> impedance_rules(const anatomy::TissueLibrary& lib
     }
     rules[id].own = static_cast<float>(own);
     rules[id].typical = static_cast<float>(impedance_of_hounsfield(entry->hounsfield));
-    if (hounsfield_tell(id, own)) rules[id].most = static_cast<float>(largest_variation * own);
+    if (varies_with_hounsfield(id, own)) rules[id].most = static_cast<float>(largest_variation * own);
   }
   rules[anatomy::tissue::air] = {.own = static_cast<float>(air_impedance)};
   return rules;
@@ -107,7 +107,7 @@ class HounsfieldSlices {
       typical_[entry.id] = static_cast<float>(entry.hounsfield);
   }
 
-  // HU at voxel (i, j, k); beyond the CT what is typical of the tissue there.
+  // HU at voxel (i, j, k); beyond the CT the typical HU of the tissue there.
   float at(int i, int j, int k) const {
     const std::size_t position = tissues_.grid.offset(i, j, k);
     if (same_) return static_cast<float>(ct_.voxels[position]);
@@ -157,7 +157,7 @@ class HounsfieldSlices {
   bool same_;
 };
 
-// The mean by which soft tissue misses its typical HU, over at most a million voxels; 0 without soft tissue.
+// Mean deviation of soft tissue from its typical HU, over at most a million voxels; 0 without soft tissue.
 double soft_tissue_error(const anatomy::Case& patient, const HounsfieldSlices& hounsfield) {
   const anatomy::Grid& grid = patient.tissues.grid;
   std::array<const anatomy::TissueProperties*, 256> soft{};
@@ -209,8 +209,8 @@ void check_hounsfield(const anatomy::Case& patient, const HounsfieldSlices& houn
   }
 }
 
-// Smooths slice after slice along the rows and columns, then across slices, each time over those neighbours alone
-// that are of the same tissue: borders stay where they are.
+// Smooths slice after slice along the rows and columns, then across slices, each time only over neighbours of the
+// same tissue: borders do not move.
 class TissueSmoother {
  public:
   TissueSmoother(const HounsfieldSlices& hounsfield, const anatomy::TissueVolume& tissues)
@@ -244,7 +244,7 @@ class TissueSmoother {
     std::fill(smooth_.begin(), smooth_.end(), 0.0F);
     std::fill(weight_.begin(), weight_.end(), 0.0F);
   }
-  // Adds neighbour number d of `count` voxels from `begin` on: those whose tissue is the voxel's.
+  // Adds neighbour number d of `count` voxels from `begin` on, if it has the voxel's tissue.
   void add(int d, const std::uint8_t* here, const std::uint8_t* there, const float* value, std::size_t begin,
            std::size_t count) {
     const int neighbour = d + gaussian_reach;
@@ -304,7 +304,7 @@ double impedance_of_hounsfield(double hounsfield) {
     density = 0.9082709691264 * x + 103.6151457847139;
   else if (x < 1260.0)
     density = 0.5108369316599 * x + 539.9977189228704;
-  if (!(density > 1.2)) return air_impedance;  // air's own density, below which the fit has no meaning; also of NaN
+  if (!(density > 1.2)) return air_impedance;  // air's own density, below which the fit is meaningless; also for NaN
   return std::clamp(1e-6 * density * (density + mast_offset) / mast_slope, air_impedance, greatest_impedance);
 }
 

@@ -15,17 +15,16 @@ namespace bodkin::imaging {
 // 2000. Held between 0.0004 (air) and 8.
 double impedance_of_hounsfield(double hounsfield);
 
-// A patient as sound meets it: on the lattice of its tissues, so that nothing but one array is read while a line
-// runs.
+// The acoustic properties of a patient, on the lattice of its tissues, so that only one array is read along a line.
 struct AcousticVolume {
   static constexpr double unit = 1.0 / 4096.0;  // MRayl of one step of an impedance
 
   anatomy::Grid grid;
-  // Voxel by voxel: the impedance in `unit`, 0 to 32767, the tissue's own, varied by the HU there; and from bit 16 on
-  // the tissue's id.
+  // Voxel by voxel: the impedance in `unit`, 0 to 32767, that of the tissue, varied by the HU there; and from bit 16
+  // on the tissue's id.
   LargePageVector<std::uint32_t> voxels;
   std::array<anatomy::AcousticTissue, 256> media;  // by tissue id
-  std::array<double, 256> young{};  // MPa by tissue id, for tissue under the probe; 0 where the library says nothing
+  std::array<double, 256> young{};  // MPa by tissue id, for tissue under the probe; 0 if the library has no value
 
   static std::uint32_t voxel(std::int16_t impedance, anatomy::TissueId id) noexcept {
     return static_cast<std::uint32_t>(impedance) | static_cast<std::uint32_t>(id) << 16;
@@ -38,11 +37,11 @@ struct AcousticVolume {
   }
 };
 
-// The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, and so have the
-// thin tissues that a CT does not show (skin, ligaments, what the spinal canal holds) and what is no soft tissue; all
-// else its tissue's, plus what impedance_of_hounsfield says of the difference between the voxel's HU, smoothed
-// against the noise of the CT, and the HU typical of the tissue, within 8 %. Throws InputError when the CT is not in
-// HU or nothing but air.
+// The acoustic volume of a case. Bone (cortical or cancellous) has its own impedance whatever its HU, and so have
+// thin tissues invisible in CT (skin, ligaments, contents of the spinal canal) and tissues other than soft tissue;
+// all others have their tissue's impedance plus, within 8 %, the difference by impedance_of_hounsfield between the
+// voxel's HU, smoothed against the noise of the CT, and the tissue's typical HU. Throws InputError when the CT is not
+// in HU or contains only air.
 std::shared_ptr<const AcousticVolume> acoustic_volume(const anatomy::Case& patient, const Progress& progress);
 
 }  // namespace bodkin::imaging

@@ -9,10 +9,10 @@ namespace bodkin::imaging {
 
 namespace {
 
-constexpr int least_of_tissue = 410;  // AcousticVolume::unit, 0.1 MRayl: below is gas
+constexpr int least_of_tissue = 410;  // AcousticVolume::unit, 0.1 MRayl: below it is gas
 
-// By how much the share of bone about a voxel is made more decided: at 2 the voxels on both sides of a flat surface
-// along the lattice, whose shares are 3/4 and 1/4, are bone and no bone at all.
+// Sharpening of the fraction of bone around a voxel: at 2 the voxels on both sides of a flat surface along the
+// lattice, whose fractions are 3/4 and 1/4, become bone and not bone.
 constexpr double steeper = 2.0;
 
 // Weighted, of impedances.
@@ -31,7 +31,7 @@ struct Neighbour {
   int weight = 0;
 };
 
-// The voxels around one, itself among them.
+// The voxels around one, including itself.
 std::vector<Neighbour> neighbours_of(const anatomy::Grid& grid) {
   std::array<int, 3> reach{};
   for (int axis = 0; axis < 3; ++axis)
@@ -50,7 +50,7 @@ bool of_bone(anatomy::TissueId id) {
   return id == anatomy::tissue::cortical_bone || id == anatomy::tissue::cancellous_bone;
 }
 
-// Calls `visit(position, weight)` of every neighbour within the volume.
+// Calls `visit(position, weight)` for every neighbour within the volume.
 template <typename Visit>
 void around(const anatomy::Grid& grid, const std::vector<Neighbour>& neighbours, const std::array<int, 3>& at,
             Visit&& visit) {

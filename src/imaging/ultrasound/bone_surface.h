@@ -4,11 +4,11 @@
 
 namespace bodkin::imaging {
 
-// Labels make stairs of a bone's surface, and sound would show every step of them. Voxels at the border of bone get
-// an impedance between that of the bone and that of the tissue about them, by the share that bone has there (voxels
-// weighted 1 : 2 : 1 along each axis, the share made twice as decided): surfaces along the lattice stay as they are,
-// and steps of the others are filled and worn. Tissue ids stay, and gas has no share in it. Axes whose voxels are
-// more than 1.5 times as long as the shortest are left out.
+// Labels give the surface of bone steps, which would all appear in the image. Voxels at the border of bone get an
+// impedance between that of bone and that of the surrounding tissue, by the local fraction of bone (voxels weighted 1
+// : 2 : 1 along each axis, contrast of the fraction doubled): surfaces along the lattice are not changed, and steps
+// of others are smoothed. Tissue ids do not change, and gas is excluded. Axes whose voxels are more than 1.5 times as
+// long as the shortest are left out.
 void smooth_bone_surface(AcousticVolume& volume);
 
 }  // namespace bodkin::imaging

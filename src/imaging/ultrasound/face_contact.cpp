@@ -11,7 +11,7 @@ constexpr double face_step = 0.25;  // mm
 constexpr double rigid = 1e-3;      // error of a rotation's products
 
 // A point that moves along a line, in voxels.
-struct Feeler {
+struct FaceRay {
   const AcousticVolume& patient;
   Vec3 start, step;  // voxels, voxels per mm
 
@@ -24,7 +24,7 @@ struct Feeler {
     return patient.tissue(patient.grid.offset(static_cast<int>(index.x()), static_cast<int>(index.y()),
                                               static_cast<int>(index.z()))) == anatomy::tissue::air;
   }
-  // Whether air has a share in what is interpolated between the voxels there.
+  // Whether air contributes to the interpolation between the voxels there.
   bool partly_air(double distance) const noexcept {
     constexpr double negligible = 0.002;  // of a voxel
     const Vec3 index = start + distance * step;
@@ -38,8 +38,8 @@ struct Feeler {
     }
     return false;
   }
-  // mm from `distance` on to where that has ended, for the voxel of the skin seems to be half air; 0 where it does
-  // not end within a few voxels.
+  // mm from `distance` to the end of that region, because the voxel of the skin seems half air; 0 if it does not end
+  // within a few voxels.
   double to_whole_tissue(double distance) const noexcept {
     constexpr double farthest = 2.0;  // mm
     for (double further = 0.0; further <= farthest; further += face_step)
@@ -50,21 +50,20 @@ struct Feeler {
 
 struct Touch {
   double gap = 0.0, press = 0.0;  // mm from the face to the skin, before and behind it
-  double gel = 0.0;               // mm from the face to where nothing but tissue is, before it
+  double gel = 0.0;               // mm from the face to where only tissue is, before it
   double tissue = 0.0;            // and behind it
 };
 
-Touch touch(const Feeler& feeler, double reach) noexcept {
-  if (feeler.in_air(0.0)) {
+Touch touch(const FaceRay& ray, double reach) noexcept {
+  if (ray.in_air(0.0)) {
     for (double ahead = face_step; ahead <= reach; ahead += face_step) {
-      if (!feeler.in_air(ahead))
-        return {ahead, 0.0, std::min(thickest_gel, ahead + feeler.to_whole_tissue(ahead)), 0.0};
+      if (!ray.in_air(ahead)) return {ahead, 0.0, std::min(thickest_gel, ahead + ray.to_whole_tissue(ahead)), 0.0};
     }
     return {2.0 * thickest_gel, 0.0, 2.0 * thickest_gel, 0.0};
   }
   double behind = face_step;
-  while (behind <= deepest_press && !feeler.in_air(-behind)) behind += face_step;
-  const double press = behind - face_step, left = press - feeler.to_whole_tissue(-press);
+  while (behind <= deepest_press && !ray.in_air(-behind)) behind += face_step;
+  const double press = behind - face_step, left = press - ray.to_whole_tissue(-press);
   return {0.0, press, std::max(0.0, -left), std::max(0.0, left)};
 }
 
@@ -84,7 +83,7 @@ FaceContact face_contact(const AcousticVolume& patient, std::span<const Vec3> or
   const double reach = gel ? thickest_gel : touching;
   const Mat3 turned = into_voxels * pose.linear();
   const Vec3 face = grid.to_index(pose.translation());
-  const Vec3 margin = grid.spacing.cwiseInverse() * deepest_press;  // air that a CT does not show is still air
+  const Vec3 margin = grid.spacing.cwiseInverse() * deepest_press;  // air invisible in a CT is still air
   for (int axis = 0; axis < 3; ++axis) {
     if (face[axis] < -margin[axis] || face[axis] > grid.size[static_cast<std::size_t>(axis)] - 1 + margin[axis])
       contact.why = NoImage::outside_volume;

@@ -13,7 +13,7 @@ std::string_view reason(NoImage why) {
     case NoImage::inside_body:
       return "The probe's face is inside the body; pull it back to the skin.";
     case NoImage::broken_pose:
-      return "The probe's pose is no rigid placement of finite numbers; check where it comes from.";
+      return "The probe's pose is not a rigid placement of finite numbers; check where it comes from.";
   }
   return "The reason is unknown.";
 }

@@ -9,7 +9,7 @@ namespace bodkin::imaging {
 
 namespace {
 
-// Young's modulus of the voxel that holds `point`, MPa; outside the volume as of soft tissue.
+// Young's modulus of the voxel around `point`, MPa; outside the volume that of soft tissue.
 double modulus_at(const AcousticVolume& patient, const Vec3& point) noexcept {
   const Vec3 rounded = (patient.grid.to_index(point).array() + 0.5).floor();
   const auto& size = patient.grid.size;
@@ -65,11 +65,11 @@ void LayeredCompression::settle_layers(std::size_t layers, double press) noexcep
     if (!(moduli_[i] > 0.0)) moduli_[i] = soft_modulus;  // also NaN
 
   // The same stress in every layer: strain = stress / modulus, together the press. Layers that it would shorten too
-  // far take their most, the others share what is left, which may bring more of them to their most.
+  // far take their maximum; the others share the rest, which may bring more of them to their maximum.
   double stress = 0.0, above = 0.0;  // MPa; the stress of the round before
   excess_ = std::max(0.0, press_ - most_strain * far_end_);
   if (excess_ > 0.0 || layers == 0) {
-    stress = 1e300;  // everything is at its most
+    stress = 1e300;  // every layer is at its maximum
   } else {
     do {
       above = stress;
@@ -84,7 +84,7 @@ void LayeredCompression::settle_layers(std::size_t layers, double press) noexcep
     } while (stress > above);
   }
 
-  // Where the border above rest layer i is now, below the face; depths from the face are met in order.
+  // Present depth below the face of the border above rest layer i; depths must be requested in order.
   double now = 0.0;
   std::size_t layer = 0, next = 0;
   for (; layer < layers; ++layer) {

@@ -8,12 +8,12 @@ namespace bodkin::imaging {
 namespace {
 
 constexpr double steel_reflects = 0.93;    // pressure, 46.3 against 1.63 MRayl
-constexpr double roughness = 0.12;         // share of the shaft's echo that leaves in all directions
-constexpr double entering = 0.35;          // of the echo: the first that has been inside
-constexpr double ringing = 0.75;           // of an inner echo, in the next one
-constexpr double steel_to_tissue = 0.266;  // 1540 / 5790 m/s: how much nearer inner echoes seem than they are
+constexpr double roughness = 0.12;         // fraction of the shaft's echo radiated in all directions
+constexpr double entering = 0.35;          // of the echo: the first one from inside
+constexpr double ringing = 0.75;           // of an inner echo, for the next one
+constexpr double steel_to_tissue = 0.266;  // 1540 / 5790 m/s: apparent shortening for inner echoes
 constexpr int rings = 14;
-constexpr double shadow = 0.45;  // of the sound that a shaft in the middle of the slice takes away
+constexpr double shadow = 0.45;  // of the sound absorbed by a shaft in the middle of the slice
 constexpr double tip_echo = 0.5;
 
 double gauss(double x, double width) noexcept {
@@ -22,8 +22,8 @@ double gauss(double x, double width) noexcept {
 }
 
 // The shaft's echo on one line.
-void draw_shaft(const EchoRows& rows, const SoundBeam& beam, double spacing, double depth, int line, double off_slice,
-                double sine_squared, double diameter) noexcept {
+void draw_shaft(const EchoLines& rows, const UltrasoundBeam& beam, double spacing, double depth, int line,
+                double off_slice, double sine_squared, double diameter) noexcept {
   const double sample = depth / spacing;
   if (!(sample >= 0.0) || sample >= rows.samples - 1) return;
   const double seen = gauss(off_slice, beam.elevation(depth));
@@ -48,8 +48,8 @@ double shaft_echo(double sine_squared) noexcept {
   return (1.0 - roughness) * s4 * s4 * s4 + roughness;
 }
 
-void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& beam,
-                const NeedleInSound& needle) noexcept {
+void add_needle(const EchoLines& rows, const ScanLines& lines, const UltrasoundBeam& beam,
+                const NeedleInUltrasound& needle) noexcept {
   const Vec3 tip = needle.pose.translation(), axis = needle_axis(needle.pose);
   if (!tip.allFinite() || !axis.allFinite()) return;
   const double diameter = needle.needle.outer_diameter;
@@ -57,7 +57,7 @@ void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& b
     const Vec3 origin = lines.origin(line), direction = lines.direction(line);
     // origin + depth direction = tip - behind axis, in the scan plane
     const double turn = axis.x() * direction.y() - axis.y() * direction.x();
-    if (std::abs(turn) < 1e-6) continue;  // along the line: nothing comes back
+    if (std::abs(turn) < 1e-6) continue;  // along the line: no echo
     const Vec3 to_tip = tip - origin;
     const double behind = (to_tip.x() * direction.y() - to_tip.y() * direction.x()) / turn;
     if (behind < 0.0 || behind > needle.needle.length) continue;
@@ -70,7 +70,7 @@ void add_needle(const EchoRows& rows, const ScanLines& lines, const SoundBeam& b
   if (!(at.x() >= 0.0) || at.x() >= rows.lines - 1 || !(at.y() >= 0.0) || at.y() >= rows.samples - 1) return;
   const int near = static_cast<int>(at.x());
   const double seen = gauss(tip.z(), beam.elevation(at.y() * lines.spacing));
-  // A point is drawn as wide as the beam, whose weights add up to 1: it needs their number to be as bright as a line.
+  // A point is drawn as wide as the beam, whose weights add up to 1: times their number it is as bright as a line.
   const double spread = std::max(1.0, beam.lateral(at.y() * lines.spacing) / lines.apart(at.y() * lines.spacing));
   const double part = at.x() - near;
   for (const int line : {near, near + 1}) {

@@ -10,7 +10,7 @@ namespace bodkin::imaging {
 namespace {
 
 constexpr double machine_compensates = 0.7;   // dB/cm/MHz, of soft tissue
-constexpr double most_compensation = 60.0;    // dB: beyond, there would be noise alone
+constexpr double most_compensation = 60.0;    // dB: beyond it, there would be only noise
 constexpr double matched_impedance = 1.6;     // MRayl
 constexpr double rayleigh_mean = 0.88622693;  // of a complex normal number of variance 1
 
@@ -42,10 +42,10 @@ void set_media(PictureTables& tables, const AcousticVolume& patient, double freq
   }
 }
 
-// Cells of `size` mm along the lattice's axes. They are counted from the patient's origin, so that a part cut out of
-// a CT has the speckle of the whole.
+// Cells of `size` mm along the lattice's axes, counted from the patient's origin, so that a part cut out of a CT has
+// the speckle of the whole.
 PictureTables::Cells cells_of(const anatomy::Grid& grid, const Vec3& size) {
-  constexpr double middle = 32768.0;  // a multiple of every period: only for the numbers to be positive
+  constexpr double middle = 32768.0;  // a multiple of every period, only to make the numbers positive
   PictureTables::Cells cells;
   const Vec3 start = grid.direction.transpose() * grid.origin;
   for (int axis = 0; axis < 3; ++axis) {
@@ -56,8 +56,7 @@ PictureTables::Cells cells_of(const anatomy::Grid& grid, const Vec3& size) {
   return cells;
 }
 
-// The same for bundles of fibres, which run from head to foot, as those of the back do: along the lattice's axis that
-// is nearest to it.
+// The same for bundles of fibres that run from head to foot, as in the back: along the nearest axis of the lattice.
 PictureTables::Cells bundles_of(const anatomy::Grid& grid) {
   constexpr double thick = 1.3, long_ = 16.0;  // mm
   Vec3 size = Vec3::Constant(thick);
@@ -67,8 +66,9 @@ PictureTables::Cells bundles_of(const anatomy::Grid& grid) {
   return cells_of(grid, size);
 }
 
-void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const ScanLines& lines, const SoundBeam& beam,
-                const std::vector<SliceRay>& rays, const std::vector<SlicePass>& passes, double cell) {
+void set_widths(PictureTables& tables, const UltrasoundDetail& detail, const ScanLines& lines,
+                const UltrasoundBeam& beam, const std::vector<SliceRay>& rays, const std::vector<SlicePass>& passes,
+                double cell) {
   const auto samples = static_cast<std::size_t>(lines.samples);
   const double pulse = beam.pulse * deviation_of_width / lines.spacing;  // samples
   const int axial_half = detail.speckle ? std::clamp(static_cast<int>(std::ceil(3.0 * pulse)), 1, 64) : 0;
@@ -121,8 +121,8 @@ void set_gain(PictureTables& tables, const UltrasoundSettings& settings, const S
   }
 }
 
-// The ringing of the face, and beyond it a haze that the nearest layers throw to and fro; at the same place in every
-// picture, for it belongs to the probe.
+// The ringing of the face, and beyond it a haze from multiple reflections of the nearest layers; at the same place in
+// every image, because it belongs to the probe.
 void set_clutter(PictureTables& tables, const ScanLines& lines) {
   constexpr double bang = 0.5, bang_length = 0.5;  // amplitude, mm
   constexpr double haze = 0.012, haze_length = 3.0;
@@ -169,7 +169,7 @@ void PictureTables::describe(int sample, scan::Row& described) const noexcept {
 
 PictureTables picture_tables(const AcousticVolume& patient, const anatomy::UltrasoundProbe& probe,
                              const UltrasoundSettings& settings, const UltrasoundDetail& detail,
-                             const ScanLines& lines, const SoundBeam& beam, const std::vector<SliceRay>& rays,
+                             const ScanLines& lines, const UltrasoundBeam& beam, const std::vector<SliceRay>& rays,
                              const std::vector<SlicePass>& passes) {
   PictureTables tables;
   tables.stride = (lines.lines + scan::lanes - 1) / scan::lanes * scan::lanes;

@@ -17,7 +17,7 @@ std::string in_brackets(const Vec3& v) {
 
 Vec3 unit_direction(const Vec3& direction, const char* what) {
   const double length = direction.norm();
-  // Also false of what is not finite.
+  // False also for non-finite values.
   if (length > 0.0 && length < 1e300) return direction / length;
   throw InputError(
       fmt::format("the probe's {} is {}, expected a direction of finite length that is not zero; give three numbers "

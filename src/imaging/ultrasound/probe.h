@@ -5,8 +5,8 @@
 
 namespace bodkin::imaging {
 
-// A probe's pose with its face's middle at `face`, looking along `depth` (need not be unit), its marked side as near
-// as may be to `marked`. Throws InputError when a direction is zero or both are parallel.
+// A probe's pose with its face's middle at `face`, looking along `depth` (not necessarily unit), its orientation
+// marker as close as possible to `marked`. Throws InputError when a direction is zero or both are parallel.
 Pose probe_pose(const Vec3& face, const Vec3& depth, const Vec3& marked);
 
 }  // namespace bodkin::imaging

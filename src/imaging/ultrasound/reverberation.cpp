@@ -13,9 +13,9 @@ namespace {
 constexpr double weakest = 1e-5;      // amplitude; less is black on every screen
 constexpr double haze = 0.02;         // of the surface's echo
 constexpr double haze_length = 15.0;  // mm in which it falls to 1/e
-constexpr double haze_from = 0.45;    // echo from which a surface is gas: bone throws back less
+constexpr double haze_from = 0.45;    // minimum echo of gas: bone reflects less
 
-void add_haze(const EchoRows& rows, int line, int from, double echo, double spacing) noexcept {
+void add_haze(const EchoLines& rows, int line, int from, double echo, double spacing) noexcept {
   const auto& cells = scatterers().cells;
   const auto fade = static_cast<float>(std::exp(-spacing / haze_length));
   auto level = static_cast<float>(echo * haze / 64.0);
@@ -30,7 +30,7 @@ void add_haze(const EchoRows& rows, int line, int from, double echo, double spac
 
 }  // namespace
 
-void add_reverberation(const EchoRows& rows, std::span<const float> strong_at, std::span<const float> strong_echo,
+void add_reverberation(const EchoLines& rows, std::span<const float> strong_at, std::span<const float> strong_echo,
                        double spacing) noexcept {
   for (int line = 0; line < rows.lines; ++line) {
     const auto at = static_cast<double>(strong_at[static_cast<std::size_t>(line)]);

@@ -2,18 +2,18 @@
 
 #include <span>
 
-#include "imaging/ultrasound/echo_rows.h"
+#include "imaging/ultrasound/echo_lines.h"
 
 namespace bodkin::imaging {
 
-// What a probe's face throws back of an echo that returns to it, as an amplitude.
+// The amplitude reflected by a probe's face from an echo that returns to it.
 inline constexpr double face_reflects = 0.25;
 
-// Adds what comes of sound that runs between the face and each line's first strong surface again and again: the n-th
-// echo seems n times as deep, and is face_reflects^(n-1) E^n strong when the first is E. Behind gas, where hardly
-// anything else is seen, sound that has been scattered about adds a haze that fades with depth. `strong_at` (sample,
-// < 0: none) and `strong_echo` by line.
-void add_reverberation(const EchoRows& rows, std::span<const float> strong_at, std::span<const float> strong_echo,
+// Adds the echoes of sound that runs repeatedly between the face and each line's first strong surface: the n-th echo
+// appears n times as deep, and is face_reflects^(n-1) E^n strong when the first is E. Behind gas, where hardly
+// anything else is visible, scattered sound adds a haze that fades with depth. `strong_at` (sample, < 0: none) and
+// `strong_echo` by line.
+void add_reverberation(const EchoLines& rows, std::span<const float> strong_at, std::span<const float> strong_echo,
                        double spacing) noexcept;
 
 }  // namespace bodkin::imaging

@@ -1,6 +1,6 @@
 // Compiled once for each processor path (BODKIN_PATH names it), from this one source and with strict floating point,
-// so that all of them give the same bits. Loops over the lanes are kept short and plain: what loads from scattered
-// places stands in loops of its own, and the rest turns into vectors.
+// so that all of them give the same bits. Loops over the lanes are kept short and plain: loads from scattered places
+// are in separate loops, and the rest is vectorised.
 #include "imaging/ultrasound/scan_kernel.h"
 
 #include "core/simd.h"
@@ -12,16 +12,16 @@ namespace {
 
 constexpr int half = lanes / 2;  // lines that have a register of the widest processor path
 
-// sqrt of the processor: exact, without what <cmath> does for errno.
+// The processor's sqrt: exact, without the errno handling of <cmath>.
 inline float root(float x) noexcept {
   return __builtin_sqrtf(x);
 }
 
-// What travels with a line.
+// The state of a line along its path.
 struct State {
   alignas(64) float start[lanes];      // impedance where the present ramp began
   alignas(64) float previous[lanes];   // impedance of the last sample
-  alignas(64) float reflected[lanes];  // amplitude thrown back by the present ramp so far
+  alignas(64) float reflected[lanes];  // amplitude reflected by the present ramp so far
   alignas(64) float before[lanes];     // amplitude, there and back, before the present ramp
   alignas(64) float along[lanes];      // slopes as in Sample, where the present ramp is steepest
   alignas(64) float steep[lanes];
@@ -31,8 +31,8 @@ struct State {
 };
 
 // The echo of a surface with reflection r, corrected so that its level is right although it spreads over a voxel.
-// Weak ones, which may be the CT's noise, stay as they are: the factor grows with r^2 to its whole at 0.03. Of strong
-// ones no more than 0.3 gets it: bone is bright anyway, and the stairs of its voxels would shine.
+// Weak ones, which may be the CT's noise, remain unchanged: the factor grows with r^2 to its full value at 0.03. Of
+// strong ones at most 0.3 is corrected: bone is bright anyway, and the stairs of its voxels would be visible.
 inline float spread_echo(float reflected, float sharpness) noexcept {
   constexpr float from = 1.0F / (0.03F * 0.03F);
   const float soft = bounded(reflected, -0.3F, 0.3F), sure = soft * soft * from;
@@ -40,11 +40,10 @@ inline float spread_echo(float reflected, float sharpness) noexcept {
 }
 
 // Surfaces: reflection, refraction, and what is left of the sound. The impedance rises or falls over some samples (a
-// "ramp") from `start`; the whole ramp throws back what the sharp surface between its two ends would (Fresnel's law
-// for pressure), each sample its part, and transmission is what that leaves. Its angle is that of its steepest
-// sample, the one before it included: the last one often lies behind it, where the slope says nothing.
-// `coupled`: there may still be gel. `leads`: this ray detects strong surfaces. `sharp`: echoes are
-// spread over a voxel.
+// "ramp") from `start`; the whole ramp reflects like a sharp surface between its two ends (Fresnel's law for
+// pressure), each sample a part, and transmits the rest. Its angle is that of its steepest sample, including the one
+// before it: the last one often lies behind it, where the slope is meaningless. `coupled`: there may still be gel.
+// `leads`: this ray detects strong surfaces. `sharp`: echoes are spread over a voxel.
 template <int count, bool coupled, bool leads, bool sharp>
 inline void reflect(const March& __restrict in, int line, int k, const Sample& __restrict s, State& __restrict state,
                     float* __restrict echo, float* __restrict reaches) noexcept {
@@ -68,7 +67,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     const float settled = last_before * (1.0F - last_reflected * last_reflected);
     const float before = going_on ? last_before : settled;
     // With `normal` the squared slope and `along` the slope along the line, along^2 / normal is the squared cosine of
-    // the angle of incidence. Where nothing has a slope the line counts as perpendicular.
+    // the angle of incidence. Without a slope the line counts as perpendicular.
     const bool steepest = here_at_all >= last_at_all;
     const float slope_at_all = steepest ? here_at_all : last_at_all, slope_along = steepest ? here_along : last_along;
     const bool level = slope_at_all < 1.0F;
@@ -83,8 +82,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     // spread.
     constexpr float faster = 310.0F / 4096.0F / 1040.0F;
     const float speed = 1.0F + faster * z, speed_before = 1.0F + faster * start;
-    // A beam is wider than the stairs that voxels make of a soft surface: along one, less than 60 degrees are not
-    // believed.
+    // A beam is wider than the voxel stairs of a soft surface: along one, angles below 60 degrees are not trusted.
     const float hard = z > start ? z : start;
     const float least = hard < bone_from ? 0.25F * normal : 0.0F;
     const float squared = along * along > least ? along * along : least;
@@ -104,12 +102,12 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
     echo[l] = before * part * received * (1.0F + bone_edge * bone) * surface;
 
     const float fall = float_from_bits(static_cast<std::uint32_t>(s.medium[l]));
-    const float kept = depth < in.leaves[line + l] ? fall : 0.0F;  // beyond the volume everything is swallowed
+    const float kept = depth < in.leaves[line + l] ? fall : 0.0F;  // beyond the volume all sound is absorbed
     const float left = before * (in_gel ? 1.0F : kept);
     if constexpr (leads) {
       const float total = reflected < 0.0F ? -reflected : reflected;
       const float at = state.strong_at[l], last_echo = state.strong_echo[l];
-      float strong = total > 0.35F ? 1.0F : 0.0F;  // steep enough, still heard, and the first on its line
+      float strong = total > 0.35F ? 1.0F : 0.0F;  // steep enough, still audible, and the first on its line
       strong = cosine2 > 0.5F ? strong : 0.0F;
       strong = before > 1e-4F ? strong : 0.0F;
       strong = at < 0.0F ? strong : 0.0F;
@@ -128,7 +126,7 @@ inline void reflect(const March& __restrict in, int line, int k, const Sample& _
   }
 }
 
-// What scatterers return, of the amplitude that `reaches` them. `more`: in addition to what is there already.
+// The echo of scatterers for the amplitude that `reaches` them. `more`: in addition to the present one.
 template <int count, bool more>
 inline void scatter(const March& __restrict in, int k, const Sample& __restrict s, const Scatterer& __restrict at,
                     const float* __restrict reaches, float* __restrict in_phase,
@@ -186,8 +184,8 @@ void march_lines(const March& in, int line) noexcept {
   const int gel_rows = static_cast<int>(thickest) + 1;
   Sample s;
   alignas(64) float echo[lanes], reaches[lanes], in_phase[lanes], quadrature[lanes];
-  // What the next sample loads is on its way while this one is worked on: numbers that were stored one by one and are
-  // read as a whole right afterwards would have to be waited for.
+  // Loads of the next sample overlap with the work on this one: numbers stored one by one and read as a whole right
+  // afterwards would stall.
   const bool speckled = in.scatterers != nullptr;
   approach<count>(in, line, 0, s);
   if (speckled) load_speckle<count>(in, s);
@@ -229,7 +227,7 @@ void march_lines(const March& in, int line) noexcept {
   }
 }
 
-// Lines whose face has no contact hear nothing.
+// Lines without contact of the face receive nothing.
 template <bool leads>
 void leave_silent(const March& in, int line) noexcept {
   if constexpr (leads) {
@@ -250,7 +248,7 @@ bool any_contact(const March& in, int line) noexcept {
   return any && line < in.lines;
 }
 
-// The lines of a block, together or by halves.
+// The lines of a block, together or in halves.
 template <bool leads, bool sharp>
 void march_block(const March& in, int line) noexcept {
   const bool first = any_contact(in, line), second = any_contact(in, line + half);

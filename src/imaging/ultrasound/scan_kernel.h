@@ -5,9 +5,9 @@
 
 #include "imaging/ultrasound/processor_path.h"
 
-// The inner loops of an ultrasound picture, compiled once for each processor path. They work on plain arrays and call
+// The inner loops of an ultrasound image, compiled once for each processor path. They work on plain arrays and call
 // no inline functions of other headers except those of core/simd.h, which are always inlined: so code for one
-// processor cannot be linked into what another one runs.
+// processor cannot be linked into code that another one runs.
 
 namespace bodkin::imaging::scan {
 
@@ -15,33 +15,33 @@ inline constexpr int lanes = 32;     // scanlines side by side
 inline constexpr int coarse = 8;     // samples between two rows of the displacement table
 inline constexpr int cells = 32;     // of the scatterer volume along each axis
 inline constexpr int bundles = 32;   // of the fibre volume along each axis
-inline constexpr int gel = 256;      // media beyond the tissues': what couples the probe
-inline constexpr int outside = 257;  // beyond the patient's volume: swallows everything
+inline constexpr int gel = 256;      // medium after the tissues': the coupling gel
+inline constexpr int outside = 257;  // beyond the patient's volume: absorbs everything
 inline constexpr int media = 258;
 inline constexpr float bone_from =
     10240.0F;  // AcousticVolume::unit of impedance (2.5 MRayl): from here a surface is bone's
 
-// A place, a direction or a displacement of each line, in voxels.
+// A position, a direction or a displacement of each line, in voxels.
 struct LineVectors {
   const float* x;
   const float* y;
   const float* z;
 };
 
-// What all rays of one slice need. Every array of lines is padded to a whole number of `lanes`, every row of one is
-// `stride` floats long.
+// Common data of all rays of one slice. Every array of lines is padded to a whole number of `lanes`, every row of one
+// is `stride` floats long.
 struct March {
   // patient
   const std::uint32_t* voxels;  // as in AcousticVolume
   std::int32_t size[3];
-  float per_mm[3];  // voxels in a mm
-  // By tissue id: in the lower half, as a float, what a step leaves of an amplitude, there and back; in the upper
-  // half the amplitude of its speckle (bfloat16) << 16 | density << 8 | fibre variation.
+  float per_mm[3];  // voxels per mm
+  // By tissue id: in the lower half, as a float, the fraction of an amplitude that remains after a step, there and
+  // back; in the upper half the amplitude of its speckle (bfloat16) << 16 | density << 8 | fibre variation.
   const std::uint64_t* media;
   float mirror, bone_mirror;  // share of a surface's echo that leaves as from a mirror
-  float bone_edge;            // by which bone's surface is brighter
-  float surface;              // of all surfaces' echoes; 0 leaves the speckle alone
-  float sharpness;            // by how much a surface's echo is stronger because it spreads over a voxel
+  float bone_edge;            // additional brightness of bone's surface
+  float surface;              // of all surfaces' echoes; 0 does not affect the speckle
+  float sharpness;            // partial-volume gain of a surface's echo
   float matched;              // AcousticVolume::unit, impedance of the probe's face and the gel
   // scatterers
   const std::uint32_t*
@@ -56,7 +56,7 @@ struct March {
   LineVectors step;          // voxels per sample
   LineVectors direction;     // unit, along the lattice's axes
   const float* gel_samples;  // by line: samples before the skin; more than there are samples: no contact
-  const float* leaves;       // by line: sample where it leaves the patient's volume
+  const float* leaves;       // by line: sample at which it leaves the patient's volume
   float across[3];           // voxels per mm across the slice
   const float* offset;       // by sample: mm across the slice; null: in its middle
   const float* sides;        // `lanes`: by line of a block, 1 or -1: on which side of the middle
@@ -64,15 +64,15 @@ struct March {
   const float* moved[3];  // rows of `stride` every `coarse` samples: voxels by which tissue has moved; null: at rest
   // results, rows of `stride`
   float weight;  // of this ray in the sum
-  bool first;    // overwrites the sums, and keeps what only the middle ray provides
+  bool first;    // overwrites the sums, and stores the data that only the middle ray provides
   float* in_phase;
   float* quadrature;
-  float* amplitude;    // there and back, of what reaches a sample
-  float* strong_at;    // by line: sample of the first surface that throws most of the sound back; < 0: none
+  float* amplitude;    // there and back, of the sound that reaches a sample
+  float* strong_at;    // by line: sample of the first surface that reflects most of the sound; < 0: none
   float* strong_echo;  // by line: its echo's amplitude
 };
 
-// One row of the picture before scan conversion.
+// One row of the image before scan conversion.
 struct Row {
   const float* in_phase;
   const float* quadrature;
@@ -89,9 +89,9 @@ struct Row {
   float* work;                     // 4 x (stride + 2 x edge)
   std::uint8_t* grey;              // stride bytes
 };
-inline constexpr int edge = 64;  // floats of padding at both ends of a row at work; lateral_half is at most that
+inline constexpr int edge = 64;  // floats of padding at both ends of a working row; largest lateral_half
 
-// Where the pixels of a picture lie among the samples.
+// The positions of an image's pixels among the samples.
 struct Conversion {
   const std::uint8_t* grey;  // rows of `stride`
   int stride;
@@ -109,8 +109,7 @@ struct Kernel {
 
 const Kernel& kernel(ProcessorPath path);
 
-// In the sources that are compiled once for each processor path: the functions and the kernel of the path that
-// BODKIN_PATH names.
+// For sources compiled once for each processor path: the functions and the kernel of the path named by BODKIN_PATH.
 #ifdef BODKIN_PATH
 #define BODKIN_JOIN_(a, b) a##b
 #define BODKIN_JOIN(a, b) BODKIN_JOIN_(a, b)

@@ -9,7 +9,7 @@
 
 namespace bodkin::imaging {
 
-// Where the scanlines of a probe run, in its own frame (z = 0), and where the pixels of its picture lie among them.
+// The scan lines of a probe in its own frame (z = 0), and the positions of its image's pixels among them.
 struct ScanLines {
   anatomy::ProbeKind kind = anatomy::ProbeKind::linear;
   double radius = 0.0;  // mm, of the face; 0: flat
@@ -31,7 +31,7 @@ struct ScanLines {
 ScanLines scan_lines(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings,
                      const UltrasoundDetail& detail);
 
-// The pixels of a picture among rows of samples that are `stride` long: for each the position of the sample before it
+// The pixels of an image among rows of samples that are `stride` long: for each the position of the sample before it
 // (that of row `lines.samples`, which is black, outside the field of view) and 256ths towards the next line and
 // sample.
 struct ScanConversion {

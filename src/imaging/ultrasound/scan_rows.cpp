@@ -52,7 +52,7 @@ void continue_edges(const Row& row, float* line) noexcept {
   for (int l = -edge; l < 0; ++l) line[l] = line[0];
 }
 
-// Grey of an echo, 0 to 255, by the logarithm of its amplitude.
+// Grey level of an echo, 0 to 255, by the logarithm of its amplitude.
 void grade(const Row& __restrict row, const float* __restrict in_phase, const float* __restrict quadrature,
            float* __restrict grey) noexcept {
   const float gain = row.gain * row.gain, half = 0.5F * row.levels_per_octave, white = row.white;
@@ -90,8 +90,7 @@ void BODKIN_JOIN(compress_, BODKIN_PATH)(const Row& row) noexcept {
   round(in_phase, row.stride, row.grey);
 }
 
-// What is loaded from scattered places is gathered for some pixels first; the arithmetic on it then turns into
-// vectors.
+// Loads from scattered places are gathered for some pixels first; the arithmetic on them is then vectorised.
 void BODKIN_JOIN(convert_, BODKIN_PATH)(const Conversion& in, std::size_t first, std::size_t last) noexcept {
   constexpr std::size_t turn = 64;                               // pixels
   alignas(64) std::uint16_t near[turn], far[turn], parts[turn];  // two neighbours each, the first in the lower byte

@@ -7,12 +7,12 @@
 #include "core/simd.h"
 #include "imaging/ultrasound/scan_kernel.h"
 
-// What lies at a sample of each line: the part of the inner loops that reads the patient. Everything has internal
-// linkage, for it is compiled once for every processor path.
+// The content at a sample of each line: the part of the inner loops that reads the patient. Everything has internal
+// linkage, because it is compiled once for every processor path.
 
 namespace bodkin::imaging::scan {
 
-// Which scatterer and which bundle of fibres are there.
+// The scatterer and the bundle of fibres there.
 struct Scatterer {
   alignas(64) std::int32_t cell[lanes];
   alignas(64) std::int32_t bundle[lanes];
@@ -20,7 +20,7 @@ struct Scatterer {
   alignas(64) std::int32_t fibre[lanes];
 };
 
-// What the present sample of each line is.
+// The present sample of each line.
 struct Sample {
   alignas(64) std::int32_t corner[lanes];             // position of the lowest of its eight voxels
   alignas(64) std::int32_t tissue[lanes];             // of the nearest of them
@@ -30,15 +30,15 @@ struct Sample {
   alignas(64) std::uint64_t medium[lanes];            // as March::media
   Scatterer here, opposite;                           // `opposite`: on the other side of the slice's middle
   alignas(64) float impedance[lanes];
-  alignas(64) float along[lanes];  // the impedance's change in a mm along the line
-  alignas(64) float steep[lanes];  // where it is steepest, squared
+  alignas(64) float along[lanes];  // change of impedance per mm along the line
+  alignas(64) float steep[lanes];  // its steepest change, squared
 };
 
-// Where the samples of row k lie, and which voxels surround them. `moved`: the tissue has moved; `aside`: this ray is
-// not in the middle of the slice.
+// The positions of the samples of row k, and the voxels that surround them. `moved`: the tissue has moved; `aside`:
+// this ray is not in the middle of the slice.
 template <int count, bool moved, bool aside>
 static inline void place(const March& __restrict in, int line, int k, Sample& __restrict s) noexcept {
-  constexpr float hair = 1.0F / 1024.0F;  // voxels: the outermost places still have a voxel behind them
+  constexpr float hair = 1.0F / 1024.0F;  // voxels: the outermost positions still have a voxel behind them
   const float last_x = static_cast<float>(in.size[0] - 1) - hair, last_y = static_cast<float>(in.size[1] - 1) - hair,
               last_z = static_cast<float>(in.size[2] - 1) - hair;
   const std::int32_t row = in.size[0], slice = in.size[0] * in.size[1];
@@ -73,8 +73,8 @@ static inline void place(const March& __restrict in, int line, int k, Sample& __
   }
 }
 
-// Which cells of the scatterer and the fibre volume hold them. Both volumes are periodic; each time one starts anew
-// it is shifted, so that no pattern repeats along a line.
+// The cells of the scatterer and the fibre volume that contain them. Both volumes are periodic; each repetition is
+// shifted, so that no pattern repeats along a line.
 template <int count, bool opposite>
 static inline void find_cells(const March& __restrict in, int k, const Sample& __restrict s,
                               Scatterer& __restrict found) noexcept {
@@ -99,7 +99,7 @@ static inline void find_cells(const March& __restrict in, int k, const Sample& _
   }
 }
 
-// Everything that comes from scattered places. Four lines a turn, for the loop itself costs as much as a load.
+// Reads all data from scattered addresses. Four lines per iteration, because the loop itself costs as much as a load.
 static inline void load_line(const March& __restrict in, std::ptrdiff_t row, std::ptrdiff_t slice,
                              Sample& __restrict s, int l) noexcept {
   const std::uint32_t* const corner = in.voxels + s.corner[l];
@@ -154,7 +154,7 @@ static inline float impedance_of(std::uint32_t voxel) noexcept {
   return static_cast<float>(static_cast<std::int32_t>(voxel & 0xFFFFU));
 }
 
-// The impedance there, linear between the voxels, and how steeply the line meets its surfaces.
+// The impedance there, linear between the voxels, and the steepness of the surfaces along the line.
 template <int count>
 static inline void meet(const March& __restrict in, int line, Sample& __restrict s) noexcept {
   for (int l = 0; l < count; ++l) {

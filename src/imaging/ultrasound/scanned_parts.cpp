@@ -29,7 +29,7 @@ ScannedSearch::ScannedSearch(const anatomy::Case& patient, const anatomy::Ultras
     : patient_(patient), probe_(probe) {
   for (const anatomy::TissueProperties& tissue : patient.library.tissues())
     ends_line_[tissue.id] = stops_sound(tissue);
-  // Half a voxel, so that a layer as thin as one is not stepped over.
+  // Half a voxel, so that a layer as thin as one is not skipped.
   step_ = std::clamp(0.5 * patient.tissues.grid.spacing.minCoeff(), 0.2, 2.0);
 }
 

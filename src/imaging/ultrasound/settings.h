@@ -11,15 +11,15 @@ struct UltrasoundProbe;
 
 namespace bodkin::imaging {
 
-// What a sonographer sets on a machine.
+// The settings of a machine.
 struct UltrasoundSettings {
   double depth = 80.0;
   double gain = 0.0;
   double dynamic_range = 60.0;
   double focus = 40.0;
   double frequency = 0.0;
-  // dB of the eight sliders of the time-gain compensation, from the face to the depth; -20 to 20. The machine adds
-  // what soft tissue takes away (0.7 dB/cm/MHz, there and back) by itself.
+  // dB of the eight sliders of the time-gain compensation, from the face to the depth; -20 to 20. The machine itself
+  // compensates the attenuation of soft tissue (0.7 dB/cm/MHz, there and back).
   std::array<double, 8> sliders{};
   bool gel = true;  // fills gaps of up to 5 mm between the face and the skin
 
@@ -38,17 +38,17 @@ struct UltrasoundSettings {
   }
 };
 
-// How finely a picture is computed, and which parts of the physics are.
+// The resolution of an image's computation, and the parts of the physics that are computed.
 struct UltrasoundDetail {
   int lines = 300;  // computed 32 at a time
   int samples = 300;
   int width = 300;
   int height = 300;
   int slices = 3;
-  bool speckle = true;  // and with it the pulse's length and the beam's width
+  bool speckle = true;  // including the pulse's length and the beam's width
   bool reverberation = true;
   bool clutter = true;   // noise of the near field
-  bool yielding = true;  // tissue gives way under a face that is pressed in; false: the face is where it is in the CT
+  bool yielding = true;  // tissue yields under a pressed face; false: the face is where it is in the CT
   int threads = 1;
 
   template <typename S = UltrasoundDetail>
@@ -73,10 +73,10 @@ struct UltrasoundDetail {
 // conversion.
 UltrasoundDetail paper_detail();
 
-// Throws InputError naming the field, what it is and what is expected, when a setting is out of range, not a number,
-// or a frequency that the probe has not.
+// Throws InputError naming the field, its value and the expected range, when a setting is out of range or NaN, or for
+// a frequency that the probe does not have.
 void check(const UltrasoundSettings& settings, const anatomy::UltrasoundProbe& probe);
-// The same of a detail.
+// As above, for a detail.
 void check(const UltrasoundDetail& detail);
 
 }  // namespace bodkin::imaging

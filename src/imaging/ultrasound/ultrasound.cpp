@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/thread_pool.h"
-#include "imaging/ultrasound/echo_rows.h"
+#include "imaging/ultrasound/echo_lines.h"
 #include "imaging/ultrasound/face_contact.h"
 #include "imaging/ultrasound/layered_compression.h"
 #include "imaging/ultrasound/needle_echo.h"
@@ -18,7 +18,7 @@
 #include "imaging/ultrasound/scan_kernel.h"
 #include "imaging/ultrasound/scan_lines.h"
 #include "imaging/ultrasound/scatterers.h"
-#include "imaging/ultrasound/sound_beam.h"
+#include "imaging/ultrasound/ultrasound_beam.h"
 
 namespace bodkin::imaging {
 
@@ -27,7 +27,7 @@ namespace {
 constexpr double least_press = 0.1;  // mm; less moves no tissue
 constexpr int rows_a_turn = 8;
 
-// On which side of the slice an off-centre ray runs, by line.
+// The side of the slice of an off-centre ray, by line.
 constexpr std::array<float, scan::lanes> one_side = [] {
   std::array<float, scan::lanes> sides{};
   sides.fill(1.0F);
@@ -57,7 +57,7 @@ Vec3 displacement_at(const ScanDisplacement& field, const Vec3& point) noexcept 
   return sum;
 }
 
-// Steps after which a line leaves a lattice, its outermost voxels included.
+// Steps after which a line leaves a lattice, including its outermost voxels.
 double samples_within(const anatomy::Grid& grid, const Vec3& start, const Vec3& step) noexcept {
   double least = 1e6;  // more than any line has
   for (int axis = 0; axis < 3; ++axis) {
@@ -68,16 +68,16 @@ double samples_within(const anatomy::Grid& grid, const Vec3& start, const Vec3& 
 }
 
 bool sound(const ScanDisplacement& field) noexcept {
-  constexpr float farthest = 1000.0F;  // mm; nothing of a patient moves as far
+  constexpr float farthest = 1000.0F;  // mm; no tissue of a patient moves as far
   const bool shaped =
       field.columns >= 1 && field.rows >= 1 && field.spacing > 0.0 && field.corner.allFinite() &&
       field.moved.size() >= 3 * static_cast<std::size_t>(field.columns) * static_cast<std::size_t>(field.rows);
-  // Also false of what is not a number.
+  // False also for NaN.
   return shaped &&
          std::all_of(field.moved.begin(), field.moved.end(), [](float u) { return std::abs(u) <= farthest; });
 }
 
-// Refuses what the inner loops could not walk through.
+// Refuses settings that the inner loops cannot process.
 void check(const AcousticVolume* patient) {
   if (patient == nullptr)
     throw InputError("ultrasound has no patient, expected an acoustic volume; make one of a case");
@@ -130,8 +130,8 @@ struct Ultrasound::Machine {
   void prepare(const UltrasoundSettings& wanted);
   void aim(const Pose& pose) noexcept;
   void move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept;
-  void draw(const Pose& pose, const std::optional<NeedleInSound>& needle,
-            std::span<const NeedleInSound> others) noexcept;
+  void draw(const Pose& pose, const std::optional<NeedleInUltrasound>& needle,
+            std::span<const NeedleInUltrasound> others) noexcept;
   scan::March marching(std::size_t pass) const noexcept;
 
   std::shared_ptr<const AcousticVolume> patient;
@@ -145,7 +145,7 @@ struct Ultrasound::Machine {
 
   LayeredCompression compression;
   ScanLines lines;
-  SoundBeam beam;
+  UltrasoundBeam beam;
   PictureTables tables;
   ScanConversion conversion;
   UltrasoundFrame frame;
@@ -163,7 +163,7 @@ void Ultrasound::Machine::prepare(const UltrasoundSettings& wanted) {
   check(wanted, probe);
   settings = wanted;
   lines = scan_lines(probe, settings, detail);
-  beam = sound_beam(probe, settings);
+  beam = ultrasound_beam(probe, settings);
   tables = picture_tables(*patient, probe, settings, detail, lines, beam, rays, passes);
   conversion = scan_conversion(lines, detail.width, detail.height, tables.stride);
 
@@ -209,7 +209,7 @@ void Ultrasound::Machine::aim(const Pose& pose) noexcept {
   sharpness = detail.speckle ? static_cast<float>(tables.ramp_loss(voxel / lines.spacing) - 1.0) : 0.0F;
 }
 
-// How far the tissue at the samples has moved, in voxels, every `coarse` samples.
+// Displacement of the tissue at every `coarse`-th sample, voxels.
 void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplacement>& displacement) noexcept {
   is_moved = false;
   const bool pressed = detail.yielding && frame.press >= least_press;
@@ -222,7 +222,7 @@ void Ultrasound::Machine::move(const Pose& pose, const std::optional<ScanDisplac
   const int rows = lines.samples / scan::coarse + 2;
   for (int row = 0; row < rows; ++row) {
     const double depth = row * scan::coarse * lines.spacing;
-    // Other lines than the middle one, pressed to other depths, compress as the middle one does.
+    // Lines other than the middle one, pressed to other depths, compress like the middle one.
     const double share = given ? 0.0 : compression.moved(depth) / frame.press;
     for (int line = 0; line < tables.stride; ++line) {
       const int used = std::min(line, lines.lines - 1);
@@ -282,10 +282,9 @@ scan::March Ultrasound::Machine::marching(std::size_t pass) const noexcept {
   return march;
 }
 
-void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSound>& needle,
-                               std::span<const NeedleInSound> others) noexcept {
-  // Blocks of lines: all passes of a block by the same thread, in order, so that sums do not depend on who computes
-  // them.
+void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInUltrasound>& needle,
+                               std::span<const NeedleInUltrasound> others) noexcept {
+  // Blocks of lines: one thread makes all passes of a block, in order, so that sums do not depend on the threads.
   const auto march_block = [this](int block) noexcept {
     for (std::size_t pass = 0; pass < passes.size(); ++pass) {
       scan::March march = marching(pass);
@@ -299,13 +298,13 @@ void Ultrasound::Machine::draw(const Pose& pose, const std::optional<NeedleInSou
   };
   pool.run(tables.stride / scan::lanes, march_block);
 
-  const EchoRows rows{lines.lines, lines.samples, tables.stride, in_phase, quadrature, amplitude};
+  const EchoLines rows{lines.lines, lines.samples, tables.stride, in_phase, quadrature, amplitude};
   if (detail.reverberation) add_reverberation(rows, strong_at, strong_echo, lines.spacing);
-  const auto add = [&](NeedleInSound seen) noexcept {
+  const auto add = [&](NeedleInUltrasound seen) noexcept {
     seen.pose = pose.inverse(Eigen::Isometry) * seen.pose;
     add_needle(rows, lines, beam, seen);
   };
-  for (const NeedleInSound& other : others) add(other);
+  for (const NeedleInUltrasound& other : others) add(other);
   if (needle) add(*needle);
 
   const auto compress_rows = [this](int turn, int thread) noexcept {
@@ -362,9 +361,9 @@ void Ultrasound::set(const UltrasoundSettings& settings) {
   machine_->prepare(settings);
 }
 
-const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<NeedleInSound>& needle,
+const UltrasoundFrame& Ultrasound::image(const Pose& pose, const std::optional<NeedleInUltrasound>& needle,
                                          const std::optional<ScanDisplacement>& displacement,
-                                         std::span<const NeedleInSound> others) noexcept {
+                                         std::span<const NeedleInUltrasound> others) noexcept {
   Machine& machine = *machine_;
   const FaceContact contact =
       face_contact(*machine.patient, machine.tables.line_origin, machine.tables.line_direction, pose,

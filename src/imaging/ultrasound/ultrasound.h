@@ -14,24 +14,24 @@
 
 namespace bodkin::imaging {
 
-// A needle as sound sees it.
-struct NeedleInSound {
+// A needle as an acoustic object.
+struct NeedleInUltrasound {
   Pose pose = Pose::Identity();  // tip and axis, patient
   anatomy::Needle needle;
 };
 
-// How tissue has moved, on a plane of points through the scan plane: u(x), mm, of the place that now is at x. Row by
-// row, x y z of each point in turn. The same before and behind the plane.
+// The displacement of tissue, on a plane of points through the scan plane: u(x), mm, of the tissue that now is at x.
+// Row by row, x y z of each point. Constant across the plane.
 struct ScanDisplacement {
-  Vec3 corner = Vec3::Zero();  // mm, the first point in the probe's frame; z is not looked at
+  Vec3 corner = Vec3::Zero();  // mm, the first point in the probe's frame; z is ignored
   double spacing = 2.0;        // mm between points, along the probe's x (columns) and y (rows)
   int columns = 0, rows = 0;
   std::span<const float>
-      moved;  // 3 x rows x columns, mm, patient axes: x - X, with X the place at rest of what is now at x
+      moved;  // 3 x rows x columns, mm, patient axes: x - X, with X the position at rest of the tissue now at x
 };
 
 // An ultrasound machine: a probe on a patient. Everything is prepared at construction and when a setting changes;
-// image() takes no memory after its first call, throws nothing and reads no clock. A picture depends on nothing but
+// image() allocates nothing after its first call, throws nothing and reads no clock. An image depends only on
 // patient, probe, settings and the arguments: the same bits on every processor path and for any number of threads.
 class Ultrasound {
  public:
@@ -47,14 +47,14 @@ class Ultrasound {
   const anatomy::UltrasoundProbe& probe() const;
   const UltrasoundSettings& settings() const;
   const UltrasoundDetail& detail() const;
-  // Throws InputError as the constructor does, and leaves everything as it was then.
+  // Throws InputError as the constructor does, without effect.
   void set(const UltrasoundSettings& settings);
 
-  // The picture with the probe at `pose` (probe to patient). Valid until the next call. A displacement that is not
-  // finite or too small for its rows and columns is left out. `others`: more needles.
-  const UltrasoundFrame& image(const Pose& pose, const std::optional<NeedleInSound>& needle = std::nullopt,
+  // The image with the probe at `pose` (probe to patient). Valid until the next call. A displacement that is not
+  // finite or too small for its rows and columns is ignored. `others`: more needles.
+  const UltrasoundFrame& image(const Pose& pose, const std::optional<NeedleInUltrasound>& needle = std::nullopt,
                                const std::optional<ScanDisplacement>& displacement = std::nullopt,
-                               std::span<const NeedleInSound> others = {}) noexcept;
+                               std::span<const NeedleInUltrasound> others = {}) noexcept;
 
  private:
   struct Lines;

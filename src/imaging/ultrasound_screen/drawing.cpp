@@ -5,7 +5,8 @@
 
 namespace bodkin::imaging {
 
-void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, double x, double y, double scale) {
+void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, OrientationMarkerSide mark, double x, double y,
+                double scale) {
   const int left = std::max(0, static_cast<int>(std::ceil(x))), top = std::max(0, static_cast<int>(std::ceil(y)));
   const int right = std::min(image.width, static_cast<int>(std::floor(x + scale * frame.width)));
   const int bottom = std::min(image.height, static_cast<int>(std::floor(y + scale * frame.height)));
@@ -18,7 +19,7 @@ void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, do
     const int v0 = static_cast<int>(v), v1 = std::min(v0 + 1, frame.height - 1);
     for (int column = left; column < right; ++column) {
       double u = std::clamp((column + 0.5 - x) / scale - 0.5, 0.0, frame.width - 1.0);
-      if (mark == MarkSide::left) u = frame.width - 1 - u;
+      if (mark == OrientationMarkerSide::left) u = frame.width - 1 - u;
       const int u0 = static_cast<int>(u), u1 = std::min(u0 + 1, frame.width - 1);
       const double upper = pixel(u0, v0) + (u - u0) * (pixel(u1, v0) - pixel(u0, v0));
       const double lower = pixel(u0, v1) + (u - u0) * (pixel(u1, v1) - pixel(u0, v1));

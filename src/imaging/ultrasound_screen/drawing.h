@@ -6,11 +6,12 @@
 
 namespace bodkin::imaging {
 
-// The frame with its upper left corner at (x, y), `scale` pixels of the image per pixel of the frame, smoothly. What
-// lies outside the image is left out.
-void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, MarkSide mark, double x, double y, double scale);
+// The frame with its upper left corner at (x, y), `scale` pixels of the image per pixel of the frame, smoothly.
+// Clipped to the image.
+void paste_grey(ImageRgb& image, const UltrasoundFrame& frame, OrientationMarkerSide mark, double x, double y,
+                double scale);
 
-// The greys from white at the top to black.
+// Grey levels from white at the top to black.
 ImageRgb grey_ramp(int width, int height);
 
 }  // namespace bodkin::imaging

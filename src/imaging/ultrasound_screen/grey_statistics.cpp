@@ -11,7 +11,7 @@ namespace {
 constexpr int least_side = 8;  // pixels of a window
 constexpr std::array<double, 5> shares = {0.05, 0.25, 0.50, 0.75, 0.95};
 
-// The greys of a window without their mean, row by row.
+// The grey levels of a window minus their mean, row by row.
 struct Deviations {
   int width = 0, height = 0;
   std::vector<double> values;
@@ -19,7 +19,7 @@ struct Deviations {
   double at(int column, int row) const {
     return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
   }
-  // Mean product of values so many columns and rows apart.
+  // Mean product of values at a distance in columns and rows.
   double covariance(int columns, int rows) const {
     double sum = 0.0;
     for (int row = 0; row + rows < height; ++row) {
@@ -47,9 +47,9 @@ std::optional<double> half_width(const Deviations& greys, int column_step, int r
 
 }  // namespace
 
-GreyPicture grey_of(const UltrasoundFrame& frame, MarkSide mark) {
-  GreyPicture picture{frame.width, frame.height, frame.pixel, frame.corner.y(), frame.pixels};
-  if (mark != MarkSide::left) return picture;
+GreyImage grey_of(const UltrasoundFrame& frame, OrientationMarkerSide mark) {
+  GreyImage picture{frame.width, frame.height, frame.pixel, frame.corner.y(), frame.pixels};
+  if (mark != OrientationMarkerSide::left) return picture;
   for (std::ptrdiff_t row = 0; row < frame.height; ++row) {
     const auto begin = picture.pixels.begin() + row * frame.width;
     std::reverse(begin, begin + frame.width);
@@ -57,7 +57,7 @@ GreyPicture grey_of(const UltrasoundFrame& frame, MarkSide mark) {
   return picture;
 }
 
-std::optional<PixelWindow> pixels_in(const GreyPicture& picture, const GreyWindow& window) {
+std::optional<PixelWindow> pixels_in(const GreyImage& picture, const GreyWindow& window) {
   const double left = picture.column(window.across - 0.5 * window.width);
   const double right = picture.column(window.across + 0.5 * window.width);
   const double top = picture.row(window.depth - 0.5 * window.height);
@@ -73,7 +73,7 @@ std::optional<PixelWindow> pixels_in(const GreyPicture& picture, const GreyWindo
   return found;
 }
 
-GreyStatistics grey_statistics(const GreyPicture& picture, const PixelWindow& window) {
+GreyStatistics grey_statistics(const GreyImage& picture, const PixelWindow& window) {
   std::array<std::size_t, 256> count{};
   Deviations greys{window.width, window.height, {}};
   double sum = 0.0;

@@ -37,13 +37,13 @@ bool ProbeOnSkin::slide(const anatomy::TissueVolume& tissues, double along, doub
   shift *= length / shift.norm();
   const std::optional<SkinPoint> skin = skin_near(tissues, pose_.translation() + shift, outward_, skin_reach);
   if (!skin) {
-    // A probe that is nowhere near the skin moves freely, so that it finds back.
+    // A probe far from the skin moves freely, so that it can return.
     if (skin_near(tissues, pose_.translation(), outward_, skin_reach) || !shift.allFinite()) return false;
     pose_.translation() += shift;
     return true;
   }
   const Eigen::Quaterniond turn = shortest_turn(outward_, skin->outward);
-  // A step that would turn the probe over has come to another side of something thin.
+  // A step that would turn the probe over has reached another side of a thin part.
   if (outward_.dot(skin->outward) < 0.0) return false;
   pose_.linear() = Eigen::Quaterniond(turn * Eigen::Quaterniond(pose_.linear())).normalized().toRotationMatrix();
   pose_.translation() = skin->place;

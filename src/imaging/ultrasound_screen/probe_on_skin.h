@@ -4,23 +4,23 @@
 
 namespace bodkin::imaging {
 
-// Where a hand holds a probe: a place on the skin, how the probe stands on it and how far it is pressed in. Slid
-// along the body it stays on the skin and keeps its angle to it.
+// The pose of a hand-held probe: a point on the skin, the probe's angles to it and the depth by which it is pressed
+// in. When slid along the body it stays on the skin and keeps its angles.
 class ProbeOnSkin {
  public:
-  // As it is: `pose` is the probe's (its frame: ultrasound/probe.h), on the skin or not.
+  // Anywhere: `pose` is the probe's (its frame: ultrasound/probe.h), on the skin or not.
   explicit ProbeOnSkin(const Pose& pose);
-  // On the skin at `face`, which points `outward` (unit).
+  // On the skin at `face`, whose normal is `outward` (unit).
   ProbeOnSkin(const Pose& pose, const Vec3& outward);
 
-  // The probe's pose, pressed in.
+  // The probe's pose, including the press.
   Pose pose() const;
   // mm that the face is moved beyond the skin along the probe's depth; negative: lifted off.
   double press() const { return press_; }
   void press(double millimetres);
 
-  // Moves the face over the skin, mm along the probe's marked side and across the slice. False, and nothing moves,
-  // where there is no skin.
+  // Moves the face over the skin, mm along the probe's marked axis and across the slice. Returns false, without
+  // moving, if there is no skin.
   bool slide(const anatomy::TissueVolume& tissues, double along, double across);
   // rad about the depth axis: the slice turns on the spot.
   void rotate(double angle);

@@ -31,7 +31,7 @@ std::vector<Eigen::Vector2d> field_of_view(const anatomy::UltrasoundProbe& probe
   return corners;
 }
 
-SlicePlane plane_of(const UltrasoundFrame& frame, const Pose& probe, MarkSide mark) {
+SlicePlane plane_of(const UltrasoundFrame& frame, const Pose& probe, OrientationMarkerSide mark) {
   SlicePlane plane;
   plane.pixel = frame.pixel;
   plane.width = frame.width;
@@ -39,18 +39,18 @@ SlicePlane plane_of(const UltrasoundFrame& frame, const Pose& probe, MarkSide ma
   plane.right = probe.linear().col(0);
   plane.down = probe.linear().col(1);
   plane.corner = probe * frame.corner;
-  if (mark == MarkSide::left) {
+  if (mark == OrientationMarkerSide::left) {
     plane.corner += frame.pixel * (frame.width - 1) * plane.right;
     plane.right = -plane.right;
   }
   return plane;
 }
 
-ImageRgb grey_picture(const UltrasoundFrame& frame, MarkSide mark) {
+ImageRgb grey_image(const UltrasoundFrame& frame, OrientationMarkerSide mark) {
   ImageRgb picture(frame.width, frame.height);
   for (int row = 0; row < frame.height; ++row) {
     for (int column = 0; column < frame.width; ++column) {
-      const int from = mark == MarkSide::left ? frame.width - 1 - column : column;
+      const int from = mark == OrientationMarkerSide::left ? frame.width - 1 - column : column;
       const std::uint8_t grey = frame.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) +
                                              static_cast<std::size_t>(from)];
       picture.at(column, row) = {grey, grey, grey};

@@ -9,16 +9,17 @@
 
 namespace bodkin::imaging {
 
-// Where the probe's marked side stands in a picture.
-enum class MarkSide : std::uint8_t { left, right };
+// The side of an image on which the probe's orientation marker is.
+enum class OrientationMarkerSide : std::uint8_t { left, right };
 
-// The border of what a probe sees down to `depth` mm, as corners of a closed line in the probe's frame (x, y), mm.
+// The border of a probe's field of view down to `depth` mm, as corners of a closed line in the probe's frame (x, y),
+// mm.
 std::vector<Eigen::Vector2d> field_of_view(const anatomy::UltrasoundProbe& probe, double depth);
 
-// The plane of a frame in the patient, pixel by pixel as the frame shows it: what imaging/slice.h cuts from the CT.
-SlicePlane plane_of(const UltrasoundFrame& frame, const Pose& probe, MarkSide mark);
+// The plane of a frame in the patient, pixel by pixel as in the frame: for cutting the CT with imaging/slice.h.
+SlicePlane plane_of(const UltrasoundFrame& frame, const Pose& probe, OrientationMarkerSide mark);
 
-// The frame's pixels as they stand in a picture.
-ImageRgb grey_picture(const UltrasoundFrame& frame, MarkSide mark);
+// The frame's pixels in the orientation of an image.
+ImageRgb grey_image(const UltrasoundFrame& frame, OrientationMarkerSide mark);
 
 }  // namespace bodkin::imaging

@@ -42,15 +42,15 @@ Vec3 kidney_of(const anatomy::Case& patient) {
   throw InputError("the case has no structure kidney_left or kidney_right to look at; say where with --at x,y,z");
 }
 
-Vec3 looked_at(const anatomy::Case& patient, const ScanRequest& request) {
+Vec3 view_target(const anatomy::Case& patient, const ScanRequest& request) {
   if (request.at) return *request.at;
   if (request.view == ScanView::kidney) return kidney_of(patient);
   const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   return path ? path->target : middle_of_body(patient);
 }
 
-// Towards the probe, before a view leans it.
-Vec3 way_out(const anatomy::Case& patient, const ScanRequest& request, const Vec3& at) {
+// Towards the probe, before a view tilts it.
+Vec3 outward_direction(const anatomy::Case& patient, const ScanRequest& request, const Vec3& at) {
   if (request.outward) return request.outward->normalized();
   if (request.view == ScanView::kidney) {
     const double side = at.x() < middle_of_body(patient).x() ? -1.0 : 1.0;
@@ -77,7 +77,7 @@ SkinPoint skin_from(const anatomy::Case& patient, const Vec3& at, const Vec3& ou
                   point_words(at), direction_letters(outward)));
 }
 
-// Beside the entry on its head's side, or on the feet's where the image ends there.
+// Beside the entry, on the head's side, or on the feet's if the image ends there.
 ProbeOnSkin beside_needle(const anatomy::Case& patient, const anatomy::UltrasoundProbe& probe) {
   const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   if (!path)
@@ -90,7 +90,7 @@ ProbeOnSkin beside_needle(const anatomy::Case& patient, const anatomy::Ultrasoun
     const Vec3 beside = path->entry + side * (0.5 * probe.aperture() + beside_probe) * along.normalized();
     const std::optional<SkinPoint> skin = skin_near(patient.tissues, beside, -in, entry_reach);
     if (!skin) continue;
-    // Half-way between upright, where it touches best, and looking at the target; the plane stays the path's.
+    // Half-way between upright, with the best contact, and facing the target; the plane remains the path's.
     const Vec3 normal = along.cross(in).normalized();
     const Vec3 upright = (normal.dot(skin->outward) * normal - skin->outward).normalized();
     return {probe_pose(skin->place, upright + (path->target - skin->place).normalized(), Vec3::UnitZ()),
@@ -140,8 +140,8 @@ std::optional<Vec3> place_named(const anatomy::Case& patient, std::string_view n
 ProbeOnSkin place_probe(const anatomy::Case& patient, const anatomy::UltrasoundProbe& probe,
                         const ScanRequest& request) {
   if (request.view == ScanView::needle && !request.at && !request.outward) return beside_needle(patient, probe);
-  const Vec3 at = looked_at(patient, request);
-  Vec3 outward = way_out(patient, request, at);
+  const Vec3 at = view_target(patient, request);
+  Vec3 outward = outward_direction(patient, request, at);
   SkinPoint skin = skin_from(patient, at, outward);
   if (request.view == ScanView::paramedian) {
     const double side = skin.place.x() < at.x() - 1.0 ? -1.0 : 1.0;

@@ -30,7 +30,7 @@ void require_place(bool empty, const Place2& place) {
 
 }  // namespace
 
-UltrasoundScreen::UltrasoundScreen(int width, int height, MarkSide mark)
+UltrasoundScreen::UltrasoundScreen(int width, int height, OrientationMarkerSide mark)
     : width_(std::max(width, least_width)), height_(std::max(height, least_height)), mark_(mark) {}
 
 void UltrasoundScreen::resize(int width, int height) {
@@ -38,7 +38,7 @@ void UltrasoundScreen::resize(int width, int height) {
   height_ = std::max(height, least_height);
 }
 
-void UltrasoundScreen::take(const ScanMoment& moment) {
+void UltrasoundScreen::take(const ScanState& moment) {
   if (!frozen_) moment_ = moment;
 }
 
@@ -80,7 +80,7 @@ UltrasoundScreen::Box UltrasoundScreen::box() const {
 Place2 UltrasoundScreen::to_screen(const Place2& place) const {
   const UltrasoundFrame& frame = moment_.frame;
   Place2 at = (place - frame.corner.head<2>()) / frame.pixel;
-  if (mark_ == MarkSide::left) at.x() = frame.width - 1 - at.x();
+  if (mark_ == OrientationMarkerSide::left) at.x() = frame.width - 1 - at.x();
   const Box where = box();
   return Place2(where.x, where.y) + where.scale * (at + Place2::Constant(0.5));
 }
@@ -89,7 +89,7 @@ Place2 UltrasoundScreen::to_probe(const Place2& pixel) const {
   const UltrasoundFrame& frame = moment_.frame;
   const Box where = box();
   Place2 at = (pixel - Place2(where.x, where.y)) / where.scale - Place2::Constant(0.5);
-  if (mark_ == MarkSide::left) at.x() = frame.width - 1 - at.x();
+  if (mark_ == OrientationMarkerSide::left) at.x() = frame.width - 1 - at.x();
   return frame.corner.head<2>() + frame.pixel * at;
 }
 
@@ -137,9 +137,10 @@ void UltrasoundScreen::draw_scale(Canvas& canvas) const {
   if (focus > where.y && focus < height_ - 4.0)
     canvas.fill(Path::polygon({{x - 1.0, focus}, {x + 6.0, focus - 4.2}, {x + 6.0, focus + 4.2}}), focus_ink);
   // The probe's mark, above the picture on its marked side.
-  const double mark_x = mark_ == MarkSide::left ? where.x + 12.0 : where.x + where.scale * frame.width - 12.0;
+  const double mark_x =
+      mark_ == OrientationMarkerSide::left ? where.x + 12.0 : where.x + where.scale * frame.width - 12.0;
   canvas.fill(Path::circle({mark_x, where.y - 14.0}, 6.0), mark_ink);
-  // Below the machine's words, where the screen is high enough for both.
+  // Below the machine's text, if the screen is high enough for both.
   const int bar_height = std::min(grey_bar_height, height_ - room_for_words);
   if (bar_height < least_grey_bar) return;
   canvas.image(grey_ramp(grey_bar_width, bar_height), 16.0, height_ - bar_height - 14.0, grey_bar_width, bar_height);
@@ -182,7 +183,7 @@ void UltrasoundScreen::draw_words(Canvas& canvas) const {
   for (std::size_t i = 0; i < calipers_.size(); ++i)
     say(12.0, y + 8.0 + line_height * static_cast<double>(i),
         fmt::format("{}: {:.1f} mm", i + 1, calipers_[i].length()), caliper_ink);
-  const Vec3 side = (mark_ == MarkSide::left ? -1.0 : 1.0) * moment_.pose.linear().col(0);
+  const Vec3 side = (mark_ == OrientationMarkerSide::left ? -1.0 : 1.0) * moment_.pose.linear().col(0);
   if (side.allFinite()) {
     say(where.x + 26.0, above, direction_letters(-side), plain_ink);
     say(right - 26.0, above, direction_letters(side), plain_ink, TextAnchor::end);
@@ -193,7 +194,7 @@ void UltrasoundScreen::draw_words(Canvas& canvas) const {
         TextAnchor::middle);
 }
 
-std::vector<std::string> machine_lines(const ScanMoment& moment, bool touch) {
+std::vector<std::string> machine_lines(const ScanState& moment, bool touch) {
   const UltrasoundSettings& set = moment.settings;
   const double frequency = set.frequency > 0.0 ? set.frequency : moment.probe.frequency;
   std::vector<std::string> lines = {moment.probe.name,

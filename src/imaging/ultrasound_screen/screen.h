@@ -14,69 +14,69 @@
 
 namespace bodkin::imaging {
 
-// A picture with all that made it.
-struct ScanMoment {
+// An image with all its inputs.
+struct ScanState {
   UltrasoundFrame frame;
   Pose pose = Pose::Identity();
   anatomy::UltrasoundProbe probe;
   UltrasoundSettings settings;
-  std::string needle;  // what is said of the needle in it; empty where there is none
+  std::string needle;  // description of the needle in it; empty if there is none
 };
 
-// A distance that somebody measures. Places are mm in the probe's frame (x, y).
+// A measured distance. Positions are mm in the probe's frame (x, y).
 struct Caliper {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();
 
   double length() const { return (to - from).norm(); }  // mm
 };
 
-// A place with a name, mm in the probe's frame (x, y).
+// A named position, mm in the probe's frame (x, y).
 struct ImageMarker {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   std::string name;
 };
 
-// The screen of an ultrasound machine: the newest picture or a frozen one and what was measured in it.
+// The screen of an ultrasound machine: the newest image or a frozen one and the measurements in it.
 class UltrasoundScreen {
  public:
-  // `width` x `height` pixels, at least 200 x 150; `mark`: where the probe's marked side stands.
-  UltrasoundScreen(int width, int height, MarkSide mark);
-  // Of another size from now on, at least as large as that.
+  // `width` x `height` pixels, at least 200 x 150; `mark`: side of the probe's orientation marker.
+  UltrasoundScreen(int width, int height, OrientationMarkerSide mark);
+  // Changes the size; same minimum.
   void resize(int width, int height);
-  // What is drawn for the screen's own words and lines, such as another language's; empty: they themselves.
+  // Translates the screen's own words and lines; empty: no translation.
   using Translator = std::function<std::string(const std::string& words)>;
   void translate_by(Translator translator) { translator_ = std::move(translator); }
 
-  // The newest picture; a frozen screen does not take it.
-  void take(const ScanMoment& moment);
-  // Nothing was taken yet, or the frame has no pixels.
+  // Shows a new image; ignored while frozen.
+  void take(const ScanState& moment);
+  // Whether there is no image yet, or the frame has no pixels.
   bool empty() const { return moment_.frame.pixels.empty(); }
-  // What is on the screen.
-  const ScanMoment& moment() const { return moment_; }
+  // The content of the screen.
+  const ScanState& moment() const { return moment_; }
 
   bool frozen() const { return frozen_; }
-  // Let go, the screen forgets what was measured: it belonged to the picture that stood still.
+  // Unfreezing discards the measurements, which belonged to the frozen image.
   void freeze(bool frozen);
 
-  // Places mm in the probe's frame. Every second one ends a caliper. Throws InputError where there is no picture or
-  // the place is not finite.
+  // Positions in mm in the probe's frame. Every second one ends a caliper. Throws InputError without an image or if
+  // the position is not finite.
   void measure(const Eigen::Vector2d& place);
   void mark(const Eigen::Vector2d& place, const std::string& name);
-  // The caliper's first end, without its second.
+  // Whether a caliper's first end is set, without its second.
   bool measuring() const { return measuring_; }
   void clear_measurements();
   const std::vector<Caliper>& calipers() const { return calipers_; }
   const std::vector<ImageMarker>& markers() const { return markers_; }
 
-  // From the probe's frame, mm, to pixels of the screen, and back; both need a picture.
+  // From the probe's frame, mm, to pixels of the screen, and back; both need an image.
   Eigen::Vector2d to_screen(const Eigen::Vector2d& place) const;
   Eigen::Vector2d to_probe(const Eigen::Vector2d& pixel) const;
-  // The pixel lies in the picture.
+  // Whether the pixel lies in the image.
   bool holds(const Eigen::Vector2d& pixel) const;
 
-  // What is drawn over the picture: scales, measurements and words.
+  // The overlay of the image: scales, measurements and words.
   Canvas overlay() const;
-  // All of it as pixels.
+  // Image and overlay as pixels.
   ImageRgb compose() const;
 
  private:
@@ -90,8 +90,8 @@ class UltrasoundScreen {
   std::string translated(const std::string& words) const { return translator_ ? translator_(words) : words; }
 
   int width_, height_;
-  MarkSide mark_;
-  ScanMoment moment_;
+  OrientationMarkerSide mark_;
+  ScanState moment_;
   bool frozen_ = false;
   std::vector<Caliper> calipers_;
   bool measuring_ = false;
@@ -100,10 +100,10 @@ class UltrasoundScreen {
   Translator translator_;
 };
 
-// "D 12.0 cm", "G -3 dB" and so on: what a machine says of a moment beside its picture, line by line. `touch`: also
-// how the probe touches the patient, which changes from frame to frame.
-std::vector<std::string> machine_lines(const ScanMoment& moment, bool touch = true);
-// cm between the numbers of the depth's scale, so that there are not too many.
+// "D 12.0 cm", "G -3 dB" and so on: a machine's captions next to its image, line by line. `touch`: also the contact
+// of the probe with the patient, which changes from frame to frame.
+std::vector<std::string> machine_lines(const ScanState& moment, bool touch = true);
+// cm between the labels of the depth scale, to limit their number.
 int centimetres_between_numbers(double depth);
 
 }  // namespace bodkin::imaging

@@ -32,7 +32,7 @@ std::string numbers(const Matrix4& matrix) {
   return text;
 }
 
-// Of all frames one after the other, without a copy of them all in one piece.
+// Of all frames in turn, without one copy of them all.
 std::string deflated(const TrackedSequence& sequence) {
   z_stream stream{};
   if (deflateInit(&stream, Z_DEFAULT_COMPRESSION) != Z_OK) throw SystemError("memory is short for compressing");

@@ -23,12 +23,12 @@ bool is_body(anatomy::TissueId id) {
 std::optional<SkinPoint> skin_along(const anatomy::TissueVolume& tissues, const Vec3& inside, const Vec3& direction) {
   if (!is_body(anatomy::nearest(tissues, inside, beyond_image)) || !(direction.norm() > 0.0)) return std::nullopt;
   const Vec3 axis = direction.normalized();
-  double last = 0.0;  // mm along the axis, where the body was seen last
+  double last = 0.0;  // mm along the axis, where the body was last found
   for (int step = 1;; ++step) {
     const double gone = skin_step * step;
     const anatomy::TissueId id = anatomy::nearest(tissues, Vec3(inside + gone * axis), beyond_image);
     if (is_body(id)) last = gone;
-    if (id == beyond_image && gone - last < 1.5 * skin_step) return std::nullopt;  // the image cuts the body off
+    if (id == beyond_image && gone - last < 1.5 * skin_step) return std::nullopt;  // the image cuts off the body
     if (id == beyond_image || gone - last > for_good) break;
   }
   const Vec3 place = inside + (last + 0.5 * skin_step) * axis;
@@ -42,7 +42,7 @@ std::optional<SkinPoint> skin_near(const anatomy::TissueVolume& tissues, const V
   const auto body = [&](double at) {
     return is_body(anatomy::nearest(tissues, Vec3(point + at * axis), beyond_image));
   };
-  // From the point to both sides at once; the skin is where the body lies below and not above.
+  // From the point to both sides at once; the skin has the body below and not above.
   for (int step = 0; skin_step * step <= reach; ++step) {
     for (const double at : {skin_step * step, -skin_step * step}) {
       const double low = at - 0.5 * skin_step, high = at + 0.5 * skin_step;
@@ -60,7 +60,7 @@ Vec3 outward_of_skin(const anatomy::TissueVolume& tissues, const Vec3& place, co
   const int cells = static_cast<int>(neighbourhood / neighbour_step);
   for (int k = -cells; k <= cells; ++k) {
     for (int j = -cells; j <= cells; ++j) {
-      for (int i = 0; i <= cells; ++i) {  // half of the ball: each place together with the one opposite
+      for (int i = 0; i <= cells; ++i) {  // half of the ball: each place together with its opposite
         const Vec3 offset = neighbour_step * Vec3(i, j, k);
         if (offset.norm() > neighbourhood) continue;
         const anatomy::TissueId here = anatomy::nearest(tissues, Vec3(place + offset), beyond_image);

@@ -8,9 +8,9 @@
 
 namespace bodkin::imaging {
 
-// Where a probe is at one moment of a sweep.
+// The pose of a probe at one time of a sweep.
 struct SweepPose {
-  double time = 0.0;  // s, never less than the one before
+  double time = 0.0;  // s, never less than the previous one
   Pose pose = Pose::Identity();
 };
 
@@ -21,11 +21,11 @@ struct SweepAngle {
 
 // A motion from a first pose. All parts run at the same time, at constant rates.
 struct SweepMotion {
-  std::optional<Vec3> to;  // LPS mm, where the face ends
+  std::optional<Vec3> to;  // LPS mm, end of the face's motion
   SweepAngle tilt;         // about the marked axis: the slice fans
   SweepAngle rock;         // about the axis across the slice
   SweepAngle rotate;       // about the depth axis
-  bool on_skin = false;    // the face follows the skin during the motion, as deep in it as the first one
+  bool on_skin = false;    // the face follows the skin during the motion, at its initial depth
   int frames = 60;         // 1 to 100 000
   double rate = 25.0;      // frames a second; > 0
 };

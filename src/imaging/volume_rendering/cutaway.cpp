@@ -10,15 +10,15 @@ namespace bodkin::imaging {
 namespace {
 
 constexpr int oval_tile = 24;     // rays along each side: neighbours share voxels
-constexpr float steepest = 4.0F;  // times the bend: how far neighbours of a ray that is not cast may differ
-// Of the bend, for a ray between four at its corners: they are farther off, and the rays between them and it take
-// over what it is wrong by.
+constexpr float steepest = 4.0F;  // times the bend: allowed difference between neighbours of a ray that is not cast
+// Of the bend, for a ray between four at its corners: they are farther off, and the rays between them and it inherit
+// its error.
 constexpr float of_corners = 2.0F / 3.0F;
-// Of the bend: how far a ray between four at its corners may differ from them, by how these differ from those beyond.
-// Without it a line that passes between the four would not be seen.
+// Of the bend: allowed difference of a ray from four at its corners, by their difference from those beyond. Without
+// it a line that passes between the four would be missed.
 constexpr float of_line = 1.0F / 3.0F;
-constexpr float coarse_bend = 1.5F;  // times the bend, at half the resolution, which is farther off itself
-constexpr float least_share = 0.1F;  // of the view in the picture, by which what may be wrong with it is divided
+constexpr float coarse_bend = 1.5F;  // times the bend, at half the resolution, which itself is less accurate
+constexpr float least_share = 0.1F;  // of the view in the image, by which its error is divided
 
 std::uint8_t blended(std::uint8_t below, float light, float opacity, float share) {
   const float value = (1.0F - share * opacity) * static_cast<float>(below) + share * 255.0F * light;
@@ -26,16 +26,16 @@ std::uint8_t blended(std::uint8_t below, float light, float opacity, float share
 }
 
 using Place = std::array<int, 2>;  // column and row, of a ray
-// About a ray: two that lie opposite to each other, and two that do so across from them.
+// Around a ray: two opposite to each other, and two opposite across from them.
 constexpr std::array<Place, 4> at_corners = {{{-1, -1}, {1, 1}, {-1, 1}, {1, -1}}};
 constexpr std::array<Place, 4> at_sides = {{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 // Farther off than the corners.
 constexpr std::array<Place, 8> around = {{{-3, -1}, {-3, 1}, {3, -1}, {3, 1}, {-1, -3}, {1, -3}, {-1, 3}, {1, 3}}};
 constexpr int beyond = 3;
 
-// The mean of the lights of four rays about another, in the order of the places above; none when it may be far from
-// what the ray meets: when a part of the light varies steeply or bends about it.
-std::optional<Cutaway::Light> mean_of_alike(const std::array<Cutaway::Light, 4>& about, float most_bend) {
+// The mean of the lights of four rays about another, in the order of the places above; none if it may be far from the
+// ray's own: if a part of the light varies steeply or bends around it.
+std::optional<Cutaway::Light> mean_of_similar(const std::array<Cutaway::Light, 4>& about, float most_bend) {
   using Light = Cutaway::Light;
   Light mean;
   for (float Light::*const part : {&Light::red, &Light::green, &Light::blue, &Light::opacity}) {
@@ -79,7 +79,7 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
   made.lights.resize(static_cast<std::size_t>(made.columns) * static_cast<std::size_t>(made.rows));
   std::atomic<int> cast = 0;
   const Vec3 eye = camera.patient_from_camera.translation();
-  // A pixel within may lie between rays that are just outside.
+  // A pixel inside may lie between rays just outside.
   const Eigen::Vector2d radii = oval.radii + Eigen::Vector2d::Constant(made.step);
   const auto pixel_of = [&](int column, int row) {
     return Eigen::Vector2d(made.left + made.step * column, made.top + made.step * row);
@@ -109,10 +109,10 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
   const auto light_between = [&](int column, int row, bool corners) -> std::optional<Cutaway::Light> {
     std::array<Cutaway::Light, 4> about;
     if (!lights_at(column, row, corners ? at_corners : at_sides, about)) return std::nullopt;
-    // Towards the rim less of the view is seen, and less of what is wrong with it.
+    // Towards the rim less of the view is visible, and less of its error.
     const auto share = static_cast<float>(oval.opacity_at(pixel_of(column, row)));
     const float may_bend = bend / std::max(share, least_share);
-    const auto between = mean_of_alike(about, corners ? of_corners * may_bend : may_bend);
+    const auto between = mean_of_similar(about, corners ? of_corners * may_bend : may_bend);
     if (!corners || !between) return between;
     std::array<Cutaway::Light, 8> farther;
     if (!lights_at(column, row, around, farther)) return std::nullopt;
@@ -123,16 +123,16 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
       mean.blue += 0.125F * light.blue;
       mean.opacity += 0.125F * light.opacity;
     }
-    // Those beyond are sqrt(5) times as far off. Where light bends alike in all directions, their mean differs from
-    // that of the four by four times as much as that does from the ray between.
+    // Those beyond are sqrt(5) times as far off. If light bends equally in all directions, their mean differs from
+    // that of the four by four times the latter's difference from the ray between.
     if (differ(*between, mean, 4.0F * of_line * of_corners * may_bend)) return std::nullopt;
     return between;
   };
   const int tiles_across = (made.columns + oval_tile - 1) / oval_tile,
             tiles_down = (made.rows + oval_tile - 1) / oval_tile;
   enum class Kind : std::uint8_t { first, between_corners, between_sides };
-  // Rays of a tile: those of even columns and rows, those of odd ones, and the others; and of the last two kinds
-  // those that need no ray of another tile (`inner`), and those that do. Returns how many were cast.
+  // Rays of a tile: those of even columns and rows, of odd ones, and the others; the last two kinds in those that
+  // need no ray of another tile (`inner`), and those that do. Returns the number cast.
   const auto cast_kind = [&](int tile, Kind kind, bool inner) {
     const int left = tile % tiles_across * oval_tile, top = tile / tiles_across * oval_tile;
     const bool corners = kind == Kind::between_corners;
@@ -153,7 +153,7 @@ Cutaway cast_cutaway(const RayCaster& caster, const PictureCamera& camera, const
     }
     return here;
   };
-  // As much as can be of a tile in one go: its voxels are then still at hand.
+  // As much as possible of a tile in one go: its voxels are then still in the cache.
   const auto each_tile = [&](const auto& cast_in) {
     pool.run(tiles_across * tiles_down, [&](int tile) { cast.fetch_add(cast_in(tile), std::memory_order_relaxed); });
   };

@@ -69,14 +69,14 @@ std::array<int, 3> coarsening(const anatomy::Grid& grid, std::size_t most_voxels
   return by;
 }
 
-// HU with the border, row by row; those beyond the scale are brought to its ends. Tissues too.
+// HU with the border, row by row, limited to the scale. Tissues too.
 std::vector<std::int16_t> fill_voxels(PreparedVolume& made, const anatomy::CtVolume& ct,
                                       const anatomy::TissueVolume& tissues) {
   const std::size_t all = static_cast<std::size_t>(made.size[0]) * static_cast<std::size_t>(made.size[1]) *
                           static_cast<std::size_t>(made.size[2]);
   std::vector<std::int16_t> hounsfield(all);
   made.tissues.resize(tissues.empty() ? 0 : all);
-  // The tissue map has a lattice of its own. Along i it is walked in steps.
+  // The tissue map has a separate lattice. Along i it is traversed in steps.
   const Vec3 step = tissues.empty() ? Vec3(Vec3::Zero())
                                     : Vec3(tissues.grid.to_index(made.grid.to_patient(Vec3::UnitX())) -
                                            tissues.grid.to_index(made.grid.to_patient(Vec3::Zero())));
@@ -127,7 +127,7 @@ void fill_bricks(const PreparedVolume& made, const std::vector<Value>& rows, Lar
   });
 }
 
-// Gradients of the HU after smoothing by (1 2 1) / 4 along every axis, which takes most of a CT's noise.
+// Gradients of the HU after smoothing by (1 2 1) / 4 along every axis, which removes most of a CT's noise.
 void fill_gradients(PreparedVolume& made, std::vector<std::int16_t> smooth) {
   const std::ptrdiff_t nx = made.size[0], ny = made.size[1], nz = made.size[2];
   std::vector<std::int16_t> other(smooth.size());
@@ -202,7 +202,7 @@ void fill_blocks(PreparedVolume& made, const std::vector<std::int16_t>& hounsfie
   });
 }
 
-// Over voxels without the border: histogram, and what rays along i, j and k sum up.
+// Over voxels without the border: histogram, and sums of rays along i, j and k.
 void measure(PreparedVolume& made, const std::vector<std::int16_t>& hounsfield) {
   const auto [ni, nj, nk] = made.grid.size;
   std::vector<float> along[3];
@@ -234,7 +234,7 @@ void measure(PreparedVolume& made, const std::vector<std::int16_t>& hounsfield) 
     weights[axis] = static_cast<double>(*most) * made.grid.spacing[static_cast<int>(axis)];
   }
   std::sort(weights.begin(), weights.end());
-  made.thickest = std::max(weights[1], 1.0);  // nobody looks through a patient from head to foot
+  made.thickest = std::max(weights[1], 1.0);  // views from head to foot are not used
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr int scale_size = 4096;        // HU
 constexpr int scale_from = -1024;       // HU of the first row
 constexpr double most_opacity = 0.999;  // of 1 mm: its optical depth is finite
-constexpr double air_up_to = -900.0;    // HU that weigh nothing in a sum: the noise of air would
+constexpr double air_up_to = -900.0;    // HU without weight in a sum: else the noise of air would count
 constexpr int tile = 16;                // pixels along each side: neighbouring rays share voxels
 constexpr double light_from_right = -0.35, light_from_above = -0.45;  // beside the line of sight
 const double length_of_light =
@@ -29,8 +29,8 @@ std::uint32_t byte_of(float share) {
   return static_cast<std::uint32_t>(std::clamp(share, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
-// From a set of blocks (0) to the distance of each from the nearest of them, the larger of the three directions
-// counting, in two sweeps.
+// Turns a set of blocks (0) into each block's distance from the nearest one, the largest of the three directions, in
+// two sweeps.
 void find_distances(std::vector<std::uint8_t>& away, const std::array<int, 3>& size) {
   const auto sweep = [&](int sign) {
     const auto order = [&](int index, int count) { return sign > 0 ? index : count - 1 - index; };
@@ -40,7 +40,7 @@ void find_distances(std::vector<std::uint8_t>& away, const std::array<int, 3>& s
           const int i = order(a, size[0]), j = order(b, size[1]), k = order(c, size[2]);
           const int in_order = (k * size[1] + j) * size[0] + i;
           std::uint8_t& here = away[static_cast<std::size_t>(in_order)];
-          // The thirteen neighbours that this sweep has been at.
+          // The thirteen neighbours already visited by this sweep.
           for (int n = 0; n < 13 && here > 0; ++n) {
             const int di = n % 3 - 1, dj = n / 3 % 3 - 1, dk = n / 9 - 1;
             const int ni = i + sign * di, nj = j + sign * dj, nk = k + sign * dk;
@@ -81,7 +81,7 @@ RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeL
     depth_[static_cast<std::size_t>(row)] = static_cast<float>(depth);
     std::array<double, 3> colour = look.transfer.colour_at(hounsfield);
     if (look.mode == VolumeMode::grey) {
-      // Never quite black: what is opaque can be told from the background.
+      // Never quite black: opaque parts can be told from the background.
       colour.fill(std::clamp((hounsfield - look.level) / look.window + 0.5, 0.06, 1.0));
     }
     append_row(colours_, colour);
@@ -103,7 +103,7 @@ RayCaster::RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeL
 void RayCaster::find_skips() {
   away_.assign(volume_->ranges.size(), 0);
   if (look_.mode == VolumeMode::maximum) return;
-  // How many HU up to a row are shown: a range holds some if it holds more than none.
+  // Number of visible HU up to each row: a range contains some if its ends differ.
   std::vector<int> shown(scale_size + 1, 0);
   for (std::size_t row = 0; row < scale_size; ++row) shown[row + 1] = shown[row] + (depth_[row] > 0.0F ? 1 : 0);
   for (std::size_t i = 0; i < away_.size(); ++i) {
@@ -142,7 +142,7 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bo
   Vec3 until_next;
   double enters = 0.0, leaves = until;
   for (int axis = 0; axis < 3; ++axis) {
-    // The outermost voxels reach half a voxel beyond their centres.
+    // The outermost voxels extend half a voxel beyond their centres.
     const double low = 0.5, high = volume.grid.size[static_cast<std::size_t>(axis)] + 0.5;
     if (std::abs(speed[axis]) < 1e-12) {
       if (from[axis] < low || from[axis] > high) return {};
@@ -156,24 +156,24 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bo
   }
   const double length = leaves - enters;
   if (!(length > 1e-6 * step_)) return {};
-  kernel::Way way;
-  way.samples = std::max(1, static_cast<int>(std::ceil(length / step_ - 1e-6)));
-  const double before = (way.samples - 1) * step_;
-  way.last = static_cast<float>(length - before);
-  way.last_at = static_cast<float>(before + 0.5 * (length - before));
-  way.far_apart = far_apart;
+  kernel::RaySection section;
+  section.samples = std::max(1, static_cast<int>(std::ceil(length / step_ - 1e-6)));
+  const double before = (section.samples - 1) * step_;
+  section.last = static_cast<float>(length - before);
+  section.last_at = static_cast<float>(before + 0.5 * (length - before));
+  section.far_apart = far_apart;
   const Vec3 entry = from + enters * speed;
-  // Light stands beside the viewer, above his shoulder.
+  // The light is beside the viewer, above the shoulder.
   Vec3 side(direction.y(), -direction.x(), 0.0);  // direction x UnitZ
   const double across = std::hypot(side.x(), side.y());
   side = across < 1e-3 ? Vec3(Vec3::UnitX()) : Vec3(side / across);
   const Vec3 light = -direction - light_from_above * side.cross(direction) + light_from_right * side;
   const Vec3 light_along = volume.grid.direction.transpose() * (light / length_of_light);
   for (int axis = 0; axis < 3; ++axis) {
-    way.entry[axis] = static_cast<float>(entry[axis]);
-    way.direction[axis] = static_cast<float>(speed[axis]);
-    way.until_next[axis] = static_cast<float>(until_next[axis]);
-    way.light[axis] = static_cast<float>(light_along[axis]);
+    section.entry[axis] = static_cast<float>(entry[axis]);
+    section.direction[axis] = static_cast<float>(speed[axis]);
+    section.until_next[axis] = static_cast<float>(until_next[axis]);
+    section.light[axis] = static_cast<float>(light_along[axis]);
   }
   kernel::Field field;
   field.hounsfield = volume.hounsfield.data();
@@ -198,24 +198,25 @@ CastRay RayCaster::cast(const Vec3& eye, const Vec3& direction, double until, bo
     const Vec3 entry_place = (eye + enters * direction - moved_lattice_.corner) / moved_lattice_.spacing;
     for (int axis = 0; axis < 3; ++axis) {
       field.moved_size[axis] = moved_lattice_.size[static_cast<std::size_t>(axis)];
-      way.lattice_entry[axis] = static_cast<float>(entry_place[axis]);
-      way.lattice_direction[axis] = static_cast<float>(direction[axis] / moved_lattice_.spacing);
+      section.lattice_entry[axis] = static_cast<float>(entry_place[axis]);
+      section.lattice_direction[axis] = static_cast<float>(direction[axis] / moved_lattice_.spacing);
     }
   }
-  kernel::Met met;
+  kernel::RayResult result;
   switch (look_.mode) {
     case VolumeMode::colour:
     case VolumeMode::grey:
-      field.moved != nullptr ? kernel::cast_moved_light(field, way, met) : kernel::cast_light(field, way, met);
+      field.moved != nullptr ? kernel::cast_moved_light(field, section, result)
+                             : kernel::cast_light(field, section, result);
       break;
     case VolumeMode::maximum:
-      kernel::cast_maximum(field, way, met);
+      kernel::cast_maximum(field, section, result);
       break;
     case VolumeMode::sum:
-      kernel::cast_sum(field, way, met);
+      kernel::cast_sum(field, section, result);
       break;
   }
-  return {met.red, met.green, met.blue, met.opacity, met.most, met.sum};
+  return {result.red, result.green, result.blue, result.opacity, result.most, result.sum};
 }
 
 std::uint32_t RayCaster::colour(const CastRay& ray) const {

@@ -14,21 +14,21 @@ namespace bodkin::imaging {
 
 enum class VolumeMode : std::uint8_t {
   colour,   // light through coloured, shaded tissue
-  grey,     // the same in the greys of a window
+  grey,     // as colour, in the grey levels of a window
   maximum,  // the largest HU on each ray (MIP)
-  sum       // all that a ray meets, weighed as an X-ray does
+  sum       // sum over each ray, weighted as in an X-ray
 };
 
-// What a volume view shows.
+// The display settings of a volume view.
 struct VolumeLook {
   VolumeMode mode = VolumeMode::colour;
   TransferFunction transfer = preset_function(TransferPreset::bone);  // of colour and grey
   double window = 1200.0, level = 300.0;                              // HU; of grey and maximum
-  double brightness = 0.75;                  // of sum: 1 is white where the patient is thickest; 0.1 to 10
+  double brightness = 0.75;                  // for sum: 1 is white at the patient's thickest part; 0.1 to 10
   bool shaded = true;                        // light from the viewer's side on edges of HU
   bool tissue_colours = false;               // colours of the tissues instead of those of the HU
   std::array<std::uint32_t, 256> tissues{};  // 0xRRGGBB, by TissueId
-  std::uint32_t background = 0x0E1116;       // 0xRRGGBB, of colour and grey; the other modes stand on black
+  std::uint32_t background = 0x0E1116;       // 0xRRGGBB, for colour and grey; the other modes have a black background
 
   bool operator==(const VolumeLook&) const = default;
 };
@@ -41,40 +41,40 @@ struct VolumeCamera {
   int width = 0, height = 0;  // pixels
 };
 
-// What one ray met.
+// Result of one ray.
 struct CastRay {
-  float red = 0.0F, green = 0.0F, blue = 0.0F;  // 0 to 1, of colour and grey: with what lies before counted in
+  float red = 0.0F, green = 0.0F, blue = 0.0F;  // 0 to 1, for colour and grey: weighted by the opacity before
   float opacity = 0.0F;                         // 0 to 1
   float most = -32768.0F;                       // HU, of maximum
   float sum = 0.0F;                             // mm of water, of sum
 };
 
-// Casts rays through a patient on the processor. Blocks in which nothing is shown are stepped over, which changes no
-// bit of the picture, nor does the number of threads.
+// Casts rays through a patient on the processor. Blocks in which nothing is visible are skipped; neither this nor the
+// number of threads changes a bit of the image.
 class RayCaster {
  public:
-  // `step`: mm between samples, above 0; a voxel or less is full quality. Colour and grey take longer steps where
-  // less than a quarter of a ray's light is left.
+  // `step`: mm between samples, above 0; a voxel or less is full quality. Colour and grey use longer steps when less
+  // than a quarter of a ray's light is left.
   RayCaster(std::shared_ptr<const PreparedVolume> volume, const VolumeLook& look, double step);
 
-  // Pixels 0xffRRGGBB, row by row. `cancelled` is asked often, from several threads; once it is true, the pixels that
-  // remain are not computed and the return value is false.
+  // Pixels 0xffRRGGBB, row by row. `cancelled` is called often, from several threads; once it is true, the remaining
+  // pixels are not computed and the return value is false.
   bool draw(const VolumeCamera& camera, ThreadPool& pool, std::vector<std::uint32_t>& pixels,
             const std::function<bool()>& cancelled = {}) const;
-  // One ray from the eye (or from where it enters the patient) to `until` mm from the eye. `direction`: unit.
-  // `far_apart`: its neighbours lie more than about a voxel beside it, so that little of what it needs has been read
-  // for them just before; it then asks the memory ahead. The result is the same.
+  // One ray from the eye (or from its entry into the patient) to `until` mm from the eye. `direction`: unit.
+  // `far_apart`: its neighbours are more than about a voxel away, so that its data are not in the cache; it then
+  // prefetches. The result is the same.
   CastRay cast(const Vec3& eye, const Vec3& direction, double until, bool far_apart = false) const;
-  // The colour of what a ray met, 0xffRRGGBB.
+  // The colour of a ray's result, 0xffRRGGBB.
   std::uint32_t colour(const CastRay& ray) const;
 
-  // From now on what lies at each place is drawn where it has moved to. Light falls on it as at rest. Null: it rests.
+  // From now on tissue is drawn at its moved positions. It is lit as at rest. Null: it rests.
   void set_moved(const RestOffsets* moved);
 
   const VolumeLook& look() const { return look_; }
   const PreparedVolume& volume() const { return *volume_; }
   double step() const { return step_; }
-  // For tests: every block is walked through.
+  // For tests: samples every block.
   void skip_nothing();
 
  private:
@@ -90,14 +90,15 @@ class RayCaster {
   std::array<std::vector<float>, 3> shown_;  // the opacity of one step, of one twice and of one four times as long
   std::vector<float> colours_;               // red, green, blue, 0
   std::vector<float> tissue_colours_;        // red, green, blue, 0 by TissueId; empty: not used
-  // Of every block: how many blocks away, in the largest of the three directions, something is shown; 0: in it.
+  // Of every block: the distance in blocks, in the largest of the three directions, to one with something visible; 0:
+  // itself.
   std::vector<std::uint8_t> away_;
   PointLattice moved_lattice_;
   std::vector<float> moved_;  // index, see kernel::Field; empty: nothing has moved
   int moved_blocks_ = 0;
 };
 
-// A step of so many of the finest voxels of a volume, mm.
+// A step of the given number of the volume's finest voxels, mm.
 double step_of(const PreparedVolume& volume, double voxels);
 
 }  // namespace bodkin::imaging

@@ -12,26 +12,26 @@ namespace bodkin::imaging::kernel {
 
 namespace {
 
-constexpr int most_gathered = 128;       // samples that are given their light together
-constexpr float opaque = 1.0F / 256.0F;  // light that is left where nothing behind can be seen
-// Where less of the light than this is left, steps are twice as long; where less than its square is left, four times:
-// what is there is hardly seen.
+constexpr int most_gathered = 128;       // samples shaded together
+constexpr float opaque = 1.0F / 256.0F;  // remaining light below which nothing behind is visible
+// With less than this light left, steps are twice as long; with less than its square, four times: samples there are
+// hardly visible.
 constexpr float faint = 0.25F;
 constexpr int most_doubled = step_lengths - 1;
-constexpr float seen = 0.015F;  // share of a ray's light from which on a sample is shaded
+constexpr float seen = 0.015F;  // fraction of a ray's light from which a sample is shaded
 
-constexpr float unlit = 0.85F;  // brightness of what has no edge
+constexpr float unlit = 0.85F;  // brightness of samples without an edge
 
-// Samples that take light from a ray, until they are given their own together: to light only those that are seen is
-// then a loop of its own, in which nothing has to be guessed.
+// Samples that take light from a ray, collected for shading together: shading only the visible ones is then a
+// separate loop without unpredictable branches.
 struct Gathered {
   float x[most_gathered], y[most_gathered], z[most_gathered];  // index
   std::uint32_t row[most_gathered];                            // of the table of colours
-  float shares[most_gathered];                                 // of the ray's light, that each takes
+  float shares[most_gathered];                                 // of the ray's light, taken by each
   int count = 0;
 };
 
-// Whether any of eight numbers is greater than a bound: comparing all at once waits for less than the largest would.
+// Whether any of eight numbers exceeds a bound: comparing all at once waits less than finding the largest.
 BODKIN_LANES_INLINE bool any_above(const Floats& numbers, float bound) noexcept {
   using Words = std::int64_t __attribute__((vector_size(4 * packet)));
   const auto above = reinterpret_cast<Words>(numbers > Floats{} + bound);
@@ -49,7 +49,7 @@ BODKIN_LANES_INLINE std::int64_t gradients_at(const std::int8_t* voxel) noexcept
   return word;
 }
 BODKIN_LANES_INLINE void take_gradients(const Ints& words, Gradients& taken) noexcept {
-  // Each byte into the upper end of the word, from where it is shifted down with its sign.
+  // Moves each byte to the upper end of the word, then shifts it down with its sign.
   taken.x = __builtin_convertvector((words << 24) >> 24, Floats);
   taken.y = __builtin_convertvector((words << 16) >> 24, Floats);
   taken.z = __builtin_convertvector((words << 8) >> 24, Floats);
@@ -58,7 +58,7 @@ BODKIN_LANES_INLINE void read_gradients(const std::int8_t* from, const Indices& 
                                         Gradients& next) noexcept {
   using Pairs = std::int64_t __attribute__((vector_size(4 * packet)));
   const auto at = [&](int l) { return gradients_at(from + 4 * std::size_t{offset[l]}); };
-  // So that the halves of the words come into order within the halves of a register.
+  // Orders the halves of the words within the halves of a register.
   const Ints outer = reinterpret_cast<Ints>(Pairs{at(0), at(1), at(4), at(5)});
   const Ints inner = reinterpret_cast<Ints>(Pairs{at(2), at(3), at(6), at(7)});
   take_gradients(__builtin_shufflevector(outer, inner, 0, 2, 8, 10, 4, 6, 12, 14), here);
@@ -80,8 +80,8 @@ BODKIN_LANES_INLINE void read_slice(const std::int8_t* from, const Places& place
   go_between(row, places.fy, here);
 }
 
-// How bright eight of the samples are, by the gradient of the HU there, linear between voxels.
-BODKIN_LANES_INLINE void find_brightness(const Field& field, const Way& way, const Gathered& gathered,
+// Brightness of eight samples, by the gradient of the HU there, linear between voxels.
+BODKIN_LANES_INLINE void find_brightness(const Field& field, const RaySection& section, const Gathered& gathered,
                                          const int* which, Floats& brightness) noexcept {
   Floats x, y, z;
   for (int l = 0; l < packet; ++l) {
@@ -98,8 +98,8 @@ BODKIN_LANES_INLINE void find_brightness(const Field& field, const Way& way, con
   const Floats square_size = here.x * here.x + here.y * here.y + here.z * here.z;
   Floats size;
   for (int l = 0; l < packet; ++l) size[l] = std::sqrt(square_size[l]);
-  // The gradient points into what is denser; the normal is its opposite, and a boundary has no wrong side.
-  const Floats along = here.x * way.light[0] + here.y * way.light[1] + here.z * way.light[2];
+  // The gradient points into denser tissue; the normal is its opposite, and both sides of a boundary are shaded.
+  const Floats along = here.x * section.light[0] + here.y * section.light[1] + here.z * section.light[2];
   const Floats facing = (along < 0.0F ? -along : along) / (size + 1e-3F);
   const Floats sharp = size * (1.0F / 24.0F), edge = sharp < 1.0F ? sharp : Floats{} + 1.0F;  // no edge, no shade
   const Floats square = facing * facing, shine = square * square * square * square;
@@ -107,8 +107,8 @@ BODKIN_LANES_INLINE void find_brightness(const Field& field, const Way& way, con
   brightness = unlit + edge * (lit - unlit);
 }
 
-// The light that reaches each of eight samples, and what is left behind them, by the share that each lets pass:
-// products of two and of four within each half, which wait less for each other than one after the other.
+// The light that reaches each of eight samples, and the rest behind them, by the fraction that each transmits:
+// products of two and of four within each half, which wait less for each other than a sequential product.
 BODKIN_LANES_INLINE float pass_light(const Floats& passed, float left, Floats& before) noexcept {
   constexpr Floats one = Floats{} + 1.0F;
   const Floats two = passed * __builtin_shufflevector(passed, one, 8, 0, 1, 2, 12, 4, 5, 6);
@@ -119,19 +119,19 @@ BODKIN_LANES_INLINE float pass_light(const Floats& passed, float left, Floats& b
   return half * four[7];
 }
 
-// Twice as long steps from sample `from` on.
-BODKIN_LANES_INLINE void lengthen_steps(Way& way, float& step, int from) noexcept {
+// Doubles the steps from sample `from` on.
+BODKIN_LANES_INLINE void lengthen_steps(RaySection& section, float& step, int from) noexcept {
   const float gone = static_cast<float>(from) * step;
-  const float length = static_cast<float>(way.samples - 1) * step + way.last - gone;
+  const float length = static_cast<float>(section.samples - 1) * step + section.last - gone;
   for (int axis = 0; axis < 3; ++axis) {
-    way.entry[axis] += gone * way.direction[axis];
-    way.lattice_entry[axis] += gone * way.lattice_direction[axis];
+    section.entry[axis] += gone * section.direction[axis];
+    section.lattice_entry[axis] += gone * section.lattice_direction[axis];
   }
   step *= 2.0F;
-  way.samples = std::max(1, static_cast<int>(std::ceil(length / step - 1e-3F)));
-  const float before = static_cast<float>(way.samples - 1) * step;
-  way.last = length - before;
-  way.last_at = before + 0.5F * way.last;
+  section.samples = std::max(1, static_cast<int>(std::ceil(length / step - 1e-3F)));
+  const float before = static_cast<float>(section.samples - 1) * step;
+  section.last = length - before;
+  section.last_at = before + 0.5F * section.last;
 }
 
 }  // namespace
@@ -149,7 +149,8 @@ BODKIN_LANES_INLINE void colour_by_tissue(const Field& field, Gathered& gathered
 }
 
 // Adds the light of the samples, shaded where they take more than `seen` of the ray's.
-BODKIN_LANES_INLINE void add_light(const Field& field, const Way& way, Gathered& gathered, Colour& light) noexcept {
+BODKIN_LANES_INLINE void add_light(const Field& field, const RaySection& section, Gathered& gathered,
+                                   Colour& light) noexcept {
   float brightness[most_gathered + packet];
   const int count = gathered.count;
   for (int l = 0; l < count; ++l) brightness[l] = field.gradients != nullptr ? unlit : 1.0F;
@@ -168,7 +169,7 @@ BODKIN_LANES_INLINE void add_light(const Field& field, const Way& way, Gathered&
     for (int l = 0; l < packet; ++l) which[shaded + l] = which[0];
     for (int first = 0; first < shaded; first += packet) {
       Floats bright;
-      find_brightness(field, way, gathered, which + first, bright);
+      find_brightness(field, section, gathered, which + first, bright);
       for (int l = 0; l < packet; ++l) brightness[which[first + l]] = bright[l];
     }
   }
@@ -187,8 +188,9 @@ BODKIN_LANES_INLINE void add_light(const Field& field, const Way& way, Gathered&
   gathered.count = 0;
 }
 
-BODKIN_LANES_INLINE void light_along(const Field& field, const Way& whole, bool moved, Met& met) noexcept {
-  Way way = whole;
+BODKIN_LANES_INLINE void light_along(const Field& field, const RaySection& whole, bool moved,
+                                     RayResult& result) noexcept {
+  RaySection section = whole;
   float left = 1.0F, step = field.step, next_faint = faint;
   int doubled = 0;
   const float* table = field.shown[0];
@@ -198,31 +200,31 @@ BODKIN_LANES_INLINE void light_along(const Field& field, const Way& whole, bool 
   Indices rows;
   Floats alpha;
   int sample = 0;
-  bool dark = true;  // the samples before took no light: only then it is worth to look whether any is near
-  while (sample < way.samples && left > opaque) {
+  bool dark = true;  // the samples before took no light: only then testing for empty space pays
+  while (sample < section.samples && left > opaque) {
     if (dark) {
-      const Block block = block_at(field, way, place_of(way, step, sample));
+      const Block block = block_at(field, section, place_of(section, step, sample));
       const int away = field.away[block.index] - (moved ? field.moved_blocks : 0);
       if (away > 0) {
-        sample = sample_beyond(way, step, block, away, sample);
+        sample = sample_beyond(section, step, block, away, sample);
         continue;
       }
     }
-    if (way.far_apart && sample + 3 * packet < way.samples) {
-      fetch(field, way, step, sample + 2 * packet, field.gradients != nullptr && doubled == 0);
+    if (section.far_apart && sample + 3 * packet < section.samples) {
+      fetch(field, section, step, sample + 2 * packet, field.gradients != nullptr && doubled == 0);
     }
-    take_samples(field, way, step, sample, moved, samples);
+    take_samples(field, section, step, sample, moved, samples);
     find_rows(samples, rows);
     alpha = Floats{table[rows[0]], table[rows[1]], table[rows[2]], table[rows[3]],
                    table[rows[4]], table[rows[5]], table[rows[6]], table[rows[7]]};
-    const int count = std::min(packet, way.samples - sample);
-    if (sample + count == way.samples) {
-      alpha[count - 1] = 1.0F - std::exp(-field.depth[rows[count - 1]] * way.last);
+    const int count = std::min(packet, section.samples - sample);
+    if (sample + count == section.samples) {
+      alpha[count - 1] = 1.0F - std::exp(-field.depth[rows[count - 1]] * section.last);
       for (int l = count; l < packet; ++l) alpha[l] = 0.0F;
     }
     const Floats passed = 1.0F - alpha;
     int used = packet;  // samples up to the one that made the ray fainter
-    Floats before;      // light that reaches each
+    Floats before;      // light that arrives at each
     const float after = pass_light(passed, left, before);
     dark = after == left;
     if (dark) {  // none takes any
@@ -245,101 +247,101 @@ BODKIN_LANES_INLINE void light_along(const Field& field, const Way& whole, bool 
     std::memcpy(gathered.row + gathered.count, &rows, sizeof rows);
     std::memcpy(gathered.shares + gathered.count, &shares, sizeof shares);
     gathered.count += packet;
-    if (gathered.count == most_gathered) add_light(field, way, gathered, light);
+    if (gathered.count == most_gathered) add_light(field, section, gathered, light);
     sample += used;
     if (left > next_faint) continue;
-    if (doubled == most_doubled || sample >= way.samples) break;
-    lengthen_steps(way, step, sample);
+    if (doubled == most_doubled || sample >= section.samples) break;
+    lengthen_steps(section, step, sample);
     ++doubled;
     table = field.shown[doubled];
     next_faint = doubled < most_doubled ? next_faint * faint : opaque;
     sample = 0;
   }
-  add_light(field, way, gathered, light);
-  met.red = light[0];
-  met.green = light[1];
-  met.blue = light[2];
-  met.opacity = 1.0F - left;
+  add_light(field, section, gathered, light);
+  result.red = light[0];
+  result.green = light[1];
+  result.blue = light[2];
+  result.opacity = 1.0F - left;
 }
 
 namespace {
 
-// Each for every processor. Clang takes no version for a processor of what has been declared without.
+// One version for every processor. Clang rejects such versions of a function declared without them.
 namespace wide {
 
 BODKIN_PROCESSOR_CLONES
-void cast_light(const Field& field, const Way& way, Met& met) noexcept {
-  light_along(field, way, false, met);
+void cast_light(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  light_along(field, section, false, result);
 }
 
 BODKIN_PROCESSOR_CLONES
-void cast_moved_light(const Field& field, const Way& way, Met& met) noexcept {
-  light_along(field, way, true, met);
+void cast_moved_light(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  light_along(field, section, true, result);
 }
 
 BODKIN_PROCESSOR_CLONES
-void cast_maximum(const Field& field, const Way& way, Met& met) noexcept {
+void cast_maximum(const Field& field, const RaySection& section, RayResult& result) noexcept {
   float most = -32768.0F;
   Samples samples;
   int sample = 0;
-  while (sample < way.samples) {
-    const Block block = block_at(field, way, place_of(way, field.step, sample));
+  while (sample < section.samples) {
+    const Block block = block_at(field, section, place_of(section, field.step, sample));
     if (field.moved == nullptr && static_cast<float>(field.ranges[2 * block.index + 1]) <= most) {
-      sample = sample_beyond(way, field.step, block, 1, sample);
+      sample = sample_beyond(section, field.step, block, 1, sample);
       continue;
     }
-    take_samples(field, way, field.step, sample, field.moved != nullptr, samples);
+    take_samples(field, section, field.step, sample, field.moved != nullptr, samples);
     for (int l = 0; l < packet; ++l) most = std::max(most, samples.value[l]);  // those beyond repeat the last one
     sample += packet;
   }
-  met.most = most;
-  met.opacity = way.samples > 0 ? 1.0F : 0.0F;
+  result.most = most;
+  result.opacity = section.samples > 0 ? 1.0F : 0.0F;
 }
 
 BODKIN_PROCESSOR_CLONES
-void cast_sum(const Field& field, const Way& way, Met& met) noexcept {
+void cast_sum(const Field& field, const RaySection& section, RayResult& result) noexcept {
   float sum = 0.0F;
   Samples samples;
   Indices rows;
   Floats weights;
   int sample = 0;
-  while (sample < way.samples) {
-    const Block block = block_at(field, way, place_of(way, field.step, sample));
+  while (sample < section.samples) {
+    const Block block = block_at(field, section, place_of(section, field.step, sample));
     const int away = field.away[block.index] - field.moved_blocks;
     if (away > 0) {
-      sample = sample_beyond(way, field.step, block, away, sample);
+      sample = sample_beyond(section, field.step, block, away, sample);
       continue;
     }
-    take_samples(field, way, field.step, sample, field.moved != nullptr, samples);
+    take_samples(field, section, field.step, sample, field.moved != nullptr, samples);
     find_rows(samples, rows);
     for (int l = 0; l < packet; ++l) weights[l] = field.step * field.depth[rows[l]];
-    const int count = std::min(packet, way.samples - sample);
-    if (sample + count == way.samples) weights[count - 1] = way.last * field.depth[rows[count - 1]];
+    const int count = std::min(packet, section.samples - sample);
+    if (sample + count == section.samples) weights[count - 1] = section.last * field.depth[rows[count - 1]];
     for (int l = 0; l < count; ++l) sum += weights[l];
     sample += packet;
   }
-  met.sum = sum;
-  met.opacity = way.samples > 0 ? 1.0F : 0.0F;
+  result.sum = sum;
+  result.opacity = section.samples > 0 ? 1.0F : 0.0F;
 }
 
 }  // namespace wide
 
 }  // namespace
 
-void cast_light(const Field& field, const Way& way, Met& met) noexcept {
-  wide::cast_light(field, way, met);
+void cast_light(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  wide::cast_light(field, section, result);
 }
 
-void cast_moved_light(const Field& field, const Way& way, Met& met) noexcept {
-  wide::cast_moved_light(field, way, met);
+void cast_moved_light(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  wide::cast_moved_light(field, section, result);
 }
 
-void cast_maximum(const Field& field, const Way& way, Met& met) noexcept {
-  wide::cast_maximum(field, way, met);
+void cast_maximum(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  wide::cast_maximum(field, section, result);
 }
 
-void cast_sum(const Field& field, const Way& way, Met& met) noexcept {
-  wide::cast_sum(field, way, met);
+void cast_sum(const Field& field, const RaySection& section, RayResult& result) noexcept {
+  wide::cast_sum(field, section, result);
 }
 
 }  // namespace bodkin::imaging::kernel

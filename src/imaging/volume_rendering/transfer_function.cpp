@@ -14,12 +14,12 @@ std::array<double, 3> parts_of(std::uint32_t colour) {
 }
 
 // Where `hounsfield` lies between two points; `before` and `after` are equal beyond the ends.
-struct Between {
+struct Bracket {
   std::size_t before, after;
   double share;
 };
 template <typename Point>
-Between between(const std::vector<Point>& points, double hounsfield) {
+Bracket bracket(const std::vector<Point>& points, double hounsfield) {
   const auto after = std::upper_bound(points.begin(), points.end(), hounsfield,
                                       [](double value, const Point& point) { return value < point.hounsfield; });
   if (after == points.begin()) return {0, 0, 0.0};
@@ -33,13 +33,13 @@ Between between(const std::vector<Point>& points, double hounsfield) {
 
 double TransferFunction::opacity_at(double hounsfield) const {
   if (opacity.empty()) return 0.0;
-  const Between at = between(opacity, hounsfield);
+  const Bracket at = bracket(opacity, hounsfield);
   return opacity[at.before].opacity + at.share * (opacity[at.after].opacity - opacity[at.before].opacity);
 }
 
 std::array<double, 3> TransferFunction::colour_at(double hounsfield) const {
   if (colours.empty()) return {1.0, 1.0, 1.0};
-  const Between at = between(colours, hounsfield);
+  const Bracket at = bracket(colours, hounsfield);
   std::array<double, 3> mixed = parts_of(colours[at.before].colour);
   const std::array<double, 3> after = parts_of(colours[at.after].colour);
   for (std::size_t i = 0; i < 3; ++i) mixed[i] += at.share * (after[i] - mixed[i]);

@@ -8,7 +8,7 @@
 
 namespace bodkin::imaging {
 
-// How opaque a HU is: the share of light, 0 to 1, that 1 mm of it takes.
+// Opacity of a HU: the fraction of light, 0 to 1, absorbed by 1 mm of it.
 struct OpacityPoint {
   double hounsfield = 0.0;
   double opacity = 0.0;
@@ -23,8 +23,8 @@ struct ColourPoint {
   bool operator==(const ColourPoint&) const = default;
 };
 
-// What a volume view shows of each HU. Points ascend in HU; between them both are linear, beyond the outermost ones
-// constant. Without points: opacity 0, white.
+// The appearance of each HU in a volume view. Points ascend in HU; both are linear between them and constant beyond
+// the outermost ones. Without points: opacity 0, white.
 struct TransferFunction {
   std::vector<OpacityPoint> opacity;
   std::vector<ColourPoint> colours;
@@ -32,11 +32,11 @@ struct TransferFunction {
   double opacity_at(double hounsfield) const;
   std::array<double, 3> colour_at(double hounsfield) const;  // red, green, blue, 0 to 1
 
-  // A new point on the curve at a HU within the range of the scale. Returns its place in `opacity`.
+  // Adds a point on the curve at a HU within the range of the scale. Returns its position in `opacity`.
   std::size_t add_point(double hounsfield, double value);
-  // A point goes where it is drawn, but stays 1 HU from its neighbours, on the scale, and between 0 and 1.
+  // Moves a point, which stays 1 HU from its neighbours, on the scale, and between 0 and 1.
   void move_point(std::size_t index, double hounsfield, double value);
-  // Nothing happens to a curve of two points.
+  // No effect on a curve of two points.
   void remove_point(std::size_t index);
 
   bool operator==(const TransferFunction&) const = default;
@@ -45,8 +45,8 @@ struct TransferFunction {
 // The scale of the opacity curve, HU.
 inline constexpr double least_shown_hounsfield = -1024.0, most_shown_hounsfield = 3071.0;
 
-// All points moved by `shift` HU, and opaque `density` times as much (a thickness of tissue: 2 takes as much light as
-// 2 mm did). Two numbers that are enough for most patients.
+// All points moved by `shift` HU, with opacity scaled by `density` (a thickness of tissue: 2 absorbs as much light as
+// 2 mm did). These two numbers suffice for most patients.
 TransferFunction adjusted(const TransferFunction& function, double shift, double density);
 
 enum class TransferPreset : std::uint8_t { bone, soft_tissue, skin, vessels };

@@ -24,10 +24,10 @@ using asio::ip::tcp;
 using boost::system::error_code;
 
 constexpr std::uint32_t largest_header = 8192;  // bytes
-constexpr std::uint64_t largest_body = 1024;    // bytes; nothing is done with one
+constexpr std::uint64_t largest_body = 1024;    // bytes; bodies are ignored
 constexpr std::chrono::seconds patience{10};
 
-// One connection: a request, its answer, the next request. It lives as long as an operation of it is under way.
+// One connection: a request, its answer, the next request. It lives as long as one of its operations is pending.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(tcp::socket socket, const HttpServer::Handler& handler, int& open)
@@ -71,7 +71,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void refuse(http::status status) {
     send({.status = static_cast<int>(status),
           .type = "text/plain",
-          .body = "This is not answered here.\n",
+          .body = "This request is not supported.\n",
           .cookie = {}},
          11, false, false);
   }
@@ -140,7 +140,7 @@ struct HttpServer::Impl {
     if (!failure) acceptor.bind(endpoint, failure);
     if (!failure) acceptor.listen(HttpServer::most_connections, failure);
     if (failure) {
-      throw SystemError(fmt::format("nobody can be answered at {} port {}: {}; choose another one with --port",
+      throw SystemError(fmt::format("the server cannot listen at {} port {}: {}; choose another port with --port",
                                     address, port, failure.message()));
     }
     accept();
@@ -149,7 +149,7 @@ struct HttpServer::Impl {
   void accept() {
     acceptor.async_accept([this](const error_code& failure, tcp::socket socket) {
       if (failure == asio::error::operation_aborted) return;
-      // One too many is closed at once.
+      // A connection beyond the limit is closed at once.
       if (!failure && open < HttpServer::most_connections)
         std::make_shared<HttpConnection>(std::move(socket), handler, open)->read();
       accept();

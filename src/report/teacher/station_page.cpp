@@ -57,8 +57,7 @@ struct Label {
   std::string text;
 };
 
-// Names over bands that end where the next begins; the wider a band, the sooner it has its name. One that finds no
-// room stays without.
+// Names over adjacent bands; wider bands are named first. A band without room gets no name.
 std::vector<Label> labels_of(const std::vector<StationCardLayer>& layers, const std::vector<double>& borders) {
   constexpr double letter = 4.8;  // px
   std::vector<std::size_t> order(layers.size());
@@ -78,7 +77,7 @@ std::vector<Label> labels_of(const std::vector<StationCardLayer>& layers, const 
   return labels;
 }
 
-// The needle among the tissues of the planned path, from the side: the skin on the left, the target a line.
+// Side view of the needle among the tissues of the planned path: the skin on the left, the target as a line.
 std::string side_view_of(const StationCard& card) {
   if (card.layers.empty()) return {};
   constexpr double width = 320.0, height = 64.0, air = 24.0, beyond = 15.0;  // px; mm behind the target
@@ -154,12 +153,12 @@ std::string stations_page(const std::vector<StationCard>& cards) {
       "content=\"width=device-width\">\n<title>Stations</title>\n<style>\n{}{}"
       "</style>\n</head>\n<body>\n<main>\n<p class=\"under\"><a href=\"/\">All "
       "trainees</a></p>\n<h1>Stations</h1>\n<p "
-      "class=\"under\">{} stations, {} connected; new every second</p>\n<div "
+      "class=\"under\">{} stations, {} connected; updated every second</p>\n<div "
       "class=\"stations\">\n{}</div>\n</main>\n</body>\n</"
       "html>\n",
       report_style(), stations_style, cards.size(),
       std::count_if(cards.begin(), cards.end(), [](const StationCard& card) { return card.trouble.empty(); }),
-      all.empty() ? "<p>none was named; start 'bodkin teacher --station HOST'</p>\n" : all);
+      all.empty() ? "<p>no station was named; start 'bodkin teacher --station HOST'</p>\n" : all);
 }
 
 }  // namespace bodkin::report

@@ -38,7 +38,7 @@ std::string host_name(const std::string& host) {
   return host.substr(0, host.find(':'));
 }
 
-// What follows `name=` in "a=1; name=2" or "a=1&name=2".
+// The text after `name=` in "a=1; name=2" or "a=1&name=2".
 std::string value_after(const std::string& text, const std::string& name, char separator) {
   std::size_t at = 0;
   while (at < text.size()) {
@@ -95,7 +95,7 @@ HttpReply TeacherSite::answer(const HttpRequest& request) const {
   const std::size_t mark = request.target.find('?');
   const std::string query = mark == std::string::npos ? "" : request.target.substr(mark + 1);
   if (!may_look(request, query))
-    return message(403, "Not for you", "Open the address that 'bodkin teacher' printed, with its token.");
+    return message(403, "Access denied", "Open the address that 'bodkin teacher' printed, with its token.");
   HttpReply reply;
   try {
     reply = page(request.target.substr(0, mark));

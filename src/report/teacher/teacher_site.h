@@ -9,8 +9,7 @@
 
 namespace bodkin::report {
 
-// What a teacher's browser asks for, and what it gets. The site only shows; nothing in the store can be changed by
-// it.
+// The requests of a teacher's browser and their responses. The site is read-only; it cannot change the store.
 //
 //   /                        every trainee at every procedure, and plans
 //   /trainee/LABEL           learning curves and attempts
@@ -20,10 +19,9 @@ namespace bodkin::report {
 //   /stations                stations that run elsewhere, live
 class TeacherSite {
  public:
-  // `store`: as ResultStore takes it; it is opened anew for each page. `token`: without it nothing is shown; empty:
-  // everybody who reaches the site may look, and only names of this computer are answered to (a page from elsewhere
-  // could else read the site through a name of its own).
-  // `stations`: what those are now; empty: there are none.
+  // `store`: as for ResultStore; it is opened anew for each page. `token`: required for access; empty: everybody who
+  // reaches the site may look, and it responds only to names of this computer (otherwise a page from elsewhere could
+  // read the site through a name of its own). `stations`: their present state; empty: none.
   TeacherSite(std::string store, std::string token, std::function<std::vector<StationCard>()> stations = {});
 
   HttpReply answer(const HttpRequest& request) const;

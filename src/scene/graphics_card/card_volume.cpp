@@ -89,8 +89,8 @@ void note_error(vtkObject*, unsigned long, void* client, void* data) {
   if (end != std::string::npos) noted.resize(end);
 }
 
-// Two voxels more on every side than the patient has: one that repeats the outermost ones, as in PreparedVolume, and
-// one that no ray meets, whose corners hold the ends of the scale. So VTK's tables have a row for each HU.
+// Two additional voxels on every side: one that repeats the outermost ones, as in PreparedVolume, and one that no ray
+// meets, whose corners have the ends of the scale. So VTK's tables have a row for each HU.
 void fill_image(const imaging::PreparedVolume& volume, vtkImageData& image) {
   const std::array<int, 3> from = volume.size;
   const int nx = from[0] + 2, ny = from[1] + 2, nz = from[2] + 2;
@@ -126,7 +126,7 @@ double difference(std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 struct CardVolume::Scene {
-  std::string error;      // the first one that VTK reported; before what reports it, which goes first
+  std::string error;      // the first error from VTK; declared before its reporter, destroyed first
   OpenGlContext context;  // before all that lives in it
   std::shared_ptr<const imaging::PreparedVolume> patient;
   std::optional<imaging::VolumeLook> look;
@@ -195,7 +195,7 @@ struct CardVolume::Scene {
     window->AddObserver(vtkCommand::WindowSupportsOpenGLEvent, supports);
   }
 
-  // Where the volume lies, and that it ends where its outermost voxels do.
+  // Places the volume and clips it to its outermost voxels.
   void place() {
     const anatomy::Grid& grid = patient->grid;
     vtkNew<vtkMatrix4x4> matrix;
@@ -275,7 +275,7 @@ struct CardVolume::Scene {
     to->SetFocalPoint(focus.data());
     to->SetViewUp(up.data());
     to->SetViewAngle(2.0 * std::atan(0.5 * camera.height * camera.down.norm()) / degree);
-    // Nothing else is drawn that would want depths to be told apart: all that lies before the eye is seen.
+    // Nothing else is drawn that needs depth precision: everything before the eye is visible.
     const double across =
         patient->grid.spacing
             .cwiseProduct(Vec3(image->GetDimensions()[0], image->GetDimensions()[1], image->GetDimensions()[2]))
@@ -332,7 +332,7 @@ void CardVolume::draw(const imaging::VolumeCamera& camera, const imaging::Volume
     throw SystemError(fmt::format("the graphics card did not draw the volume: {}", scene.error));
 }
 
-// Drivers have been seen to draw nothing and to report no error.
+// Some drivers draw nothing and report no error.
 void CardVolume::check_picture() {
   const imaging::PreparedVolume& patient = *scene_->patient;
   const anatomy::Grid& grid = patient.grid;
@@ -359,7 +359,7 @@ void CardVolume::check_picture() {
     for (std::size_t i = 0; i < drawn.size(); ++i) sum += difference(drawn[i], expected[i]);
     constexpr double most = 12.0;  // of 255, in the mean
     if (sum > most * static_cast<double>(drawn.size())) {
-      throw SystemError("the graphics card draws something else than the processor");
+      throw SystemError("the graphics card draws a different image than the processor");
     }
   }
 }

@@ -9,13 +9,13 @@
 
 namespace bodkin::scene {
 
-// What imaging::RayCaster draws, drawn by VTK's volume mapper for graphics cards, with the same tables of opacity and
-// colour, lengths of steps and light. Made, used and destroyed by one thread, in which its OpenGL is current.
+// Draws the images of imaging::RayCaster by VTK's volume mapper for graphics cards, with the same tables of opacity
+// and colour, lengths of steps and light. Created, used and destroyed by one thread, in which its OpenGL is current.
 class CardVolume {
  public:
-  // Brings the volume to the card and compares a small picture with the ray caster's. Throws SystemError, one
-  // sentence, where there is no OpenGL, where the processor computes it (unless `software_too`), where the volume is
-  // too large for the card, or where the card draws something else than the ray caster.
+  // Uploads the volume to the card and compares a small image with the ray caster's. Throws SystemError, one
+  // sentence, if there is no OpenGL, if the processor computes it (unless `software_too`), if the volume is too large
+  // for the card, or if the card's image differs from the ray caster's.
   CardVolume(std::shared_ptr<const imaging::PreparedVolume> volume, bool software_too);
   ~CardVolume();
   CardVolume(const CardVolume&) = delete;

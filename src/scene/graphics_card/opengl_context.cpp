@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 9> computed_by_the_processor = {
     "llvmpipe", "softpipe", "swrast",      "swiftshader", "software rasterizer",
     "openswr",  "mesa x11", "gdi generic", "basic render"};
 
-// Xlib ends the program at an error of the server unless it is told otherwise, and that for all displays at once.
+// Xlib ends the program at a server's error by default; the handler is common to all displays.
 class ErrorsNoted {
  public:
   explicit ErrorsNoted(Display* display) : alone_(mutex_), display_(display) {
@@ -55,8 +55,8 @@ class ErrorsNoted {
   XErrorHandler before_;
 };
 
-// Xlib ends the program when a server goes away. A window on Wayland goes on without the one that OpenGL was reached
-// through, so the connections that were opened here are told apart from those of others.
+// Xlib ends the program when a server goes away. A window on Wayland can continue without OpenGL's server, so
+// connections opened here are distinguished from others.
 class OwnServers {
  public:
   static void add(Display* server) {

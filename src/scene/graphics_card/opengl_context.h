@@ -6,7 +6,7 @@
 
 namespace bodkin::scene {
 
-// Whether an OpenGL renderer of this name (GL_RENDERER) is a graphics card: false for those that compute on the
+// Whether an OpenGL renderer of this name (GL_RENDERER) is a graphics card: false for renderers that use the
 // processor, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
 bool is_graphics_card(std::string_view renderer);
 
@@ -14,14 +14,14 @@ bool is_graphics_card(std::string_view renderer);
 // destroys it.
 class OpenGlContext {
  public:
-  // Throws SystemError where there is no display or no OpenGL 3.2.
+  // Throws SystemError if there is no display or no OpenGL 3.2.
   OpenGlContext();
   ~OpenGlContext();
   OpenGlContext(const OpenGlContext&) = delete;
   OpenGlContext& operator=(const OpenGlContext&) = delete;
 
   const std::string& renderer() const { return renderer_; }  // GL_RENDERER
-  int most_along_a_side() const { return most_; }            // voxels that a volume may have along each side
+  int most_along_a_side() const { return most_; }            // largest number of voxels of a volume along each side
 
  private:
   struct Display;

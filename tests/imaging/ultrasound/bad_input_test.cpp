@@ -1,4 +1,4 @@
-// What nobody should ask for: a black image and why, or one sentence, and never a crash.
+// Invalid requests: a black image with the reason, or one sentence, and never a crash.
 #include <array>
 #include <limits>
 
@@ -99,7 +99,7 @@ TEST(BadInput, garbage_poses_needles_and_displacements_crash_nothing) {
       pose.translation().x() = number(20.0);
     }
     if (random.uniform() < 0.1) pose.linear()(random.next() % 3, random.next() % 3) = number(2.0);
-    std::optional<NeedleInSound> needle;
+    std::optional<NeedleInUltrasound> needle;
     if (random.uniform() < 0.5) {
       needle.emplace();
       needle->pose = needle_pose(Vec3(number(20.0), number(40.0), number(3.0)),
@@ -128,7 +128,7 @@ TEST(BadInput, garbage_poses_needles_and_displacements_crash_nothing) {
   EXPECT_GT(images, 100);
 }
 
-// A displacement that is none is left out, and the picture is that at rest.
+// An invalid displacement is ignored, and the image is that at rest.
 TEST(BadInput, broken_displacements_are_left_out) {
   Ultrasound machine(small_patient(), checks::flat_probe(), {}, small_detail());
   const std::vector<std::uint8_t> still = machine.image(Pose::Identity()).pixels;

@@ -1,4 +1,4 @@
-// The same picture to the last bit, whoever computes it; and without memory or locks.
+// The same image to the last bit on any processor; without allocation or locks.
 #include "tests/imaging/ultrasound/hand_made_patient.h"
 #include "tests/sanitized.h"
 #include "tests/simulation/real_time_guard.h"
@@ -38,7 +38,7 @@ std::shared_ptr<AcousticVolume> lumpy_patient() {
 
 struct Scene {
   Pose pose;
-  std::optional<NeedleInSound> needle;
+  std::optional<NeedleInUltrasound> needle;
   std::vector<float> moved;
   std::optional<ScanDisplacement> displacement;
 };
@@ -112,7 +112,7 @@ TEST(SameBits, whatever_was_drawn_before) {
     EXPECT_EQ(machine.image(scene.pose, scene.needle, scene.displacement).pixels, pictures.back());
   }
   EXPECT_NE(pictures[0], pictures[1]);
-  // And whatever was set before.
+  // And after any previous settings.
   UltrasoundSettings other;
   other.depth = 40.0;
   other.frequency = 2.5;

@@ -1,4 +1,4 @@
-// Tissue that has moved: the picture moves with it.
+// Displaced tissue: the image moves with it.
 #include "tests/imaging/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(DisplacedPicture, five_millimetres_are_five_millimetres) {
   EXPECT_GT(difference(rest, aside), 5.0);
 }
 
-// Displacements are given along the patient's axes, whichever way the probe is turned.
+// Displacements are along the patient's axes, for any orientation of the probe.
 TEST(DisplacedPicture, displacements_are_the_patients) {
   const auto volume = checks::hand_made({.half_width = 26.0, .half_thickness = 26.0, .voxel = 0.5},
                                         {checks::clear_medium(), checks::clear_medium(1.9)},
@@ -92,13 +92,13 @@ TEST(DisplacedPicture, displacements_are_the_patients) {
   EXPECT_NEAR(middle_of_bar(machine.image(turned, {}, uniform(Vec3(5.0, 0.0, 0.0), moved))), 0.0, 0.1);
 }
 
-// A field that grows: what is half way between two of its points has moved by half the difference.
+// A growing field: half way between two of its points the displacement is the mean.
 TEST(DisplacedPicture, between_its_points_a_field_is_linear) {
   const auto volume = checks::hand_made({.half_width = 22.0, .half_thickness = 1.0, .voxel = 0.25},
                                         {checks::clear_medium(), checks::clear_medium(1.8)},
                                         [](const Vec3& p) { return p.y() < 20.0 ? 1 : 2; });
   Ultrasound machine(volume, checks::flat_probe(), {.depth = 50.0}, checks::plain_detail(50.0));
-  // u_y = 0 at the face and 10 mm at 50 mm: what was at 20 mm is at x with x - x / 5 = 20.
+  // u_y = 0 at the face and 10 mm at 50 mm: tissue from 20 mm is at x with x - x / 5 = 20.
   std::vector<float> moved(3 * 2, 0.0F);
   moved[4] = 10.0F;
   const ScanDisplacement stretched{Vec3::Zero(), 50.0, 1, 2, moved};
@@ -111,7 +111,7 @@ TEST(DisplacedPicture, between_its_points_a_field_is_linear) {
   EXPECT_NEAR(brightest * frame.pixel, 25.0, 0.26);
 }
 
-// A face 6 mm below the skin: what gives way stays before it, what does not is passed.
+// A face 6 mm below the skin: yielding tissue stays before it, rigid tissue is passed.
 TEST(DisplacedPicture, tissue_under_a_pressed_face_yields_if_asked_to) {
   const auto volume = checks::hand_made({.half_width = 22.0, .half_thickness = 1.0, .voxel = 0.25},
                                         {checks::clear_medium(), checks::clear_medium(1.8)},

@@ -1,4 +1,4 @@
-// What happens at the face: contact, gel, press, and sound that runs to and fro between it and a strong surface.
+// Effects at the face: contact, gel, press, and reverberation between it and a strong surface.
 #include "tests/imaging/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(Face, gel_fills_a_gap_and_without_it_there_is_no_image) {
   EXPECT_EQ(machine.image(checks::moved_to(Vec3(0.0, -4.5, 0.0))).why, NoImage::none);
 }
 
-// Wherever in a voxel the skin is met, gel and tissue begin without an echo of the air beside them.
+// For any place of the skin in a voxel, gel and tissue begin without an echo of the air beside them.
 TEST(Face, the_skins_voxel_takes_nothing_from_the_sound) {
   for (const double voxel : {0.5, 1.0}) {
     const auto volume = surface_at_depth(20.0, 1.8, voxel);

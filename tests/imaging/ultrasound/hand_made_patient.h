@@ -10,7 +10,7 @@
 #include "core/geometry.h"
 #include "imaging/ultrasound/ultrasound.h"
 
-// Patients made by hand, whose every number is known, and pictures whose pixels are samples.
+// Hand-made patients with known numbers, and images whose pixels are samples.
 namespace bodkin::checks {
 
 using namespace bodkin::anatomy;
@@ -27,7 +27,7 @@ struct Block {
   Mat3 direction = Mat3::Identity();  // of the lattice, turned about the box's middle
 };
 
-// Soft tissue that matches the probe, neither attenuates nor scatters: echoes are what is put into it.
+// Soft tissue that matches the probe, without attenuation or scatter: the only echoes are those added.
 inline AcousticTissue clear_medium(double impedance = 1.6, double attenuation = 0.0) {
   AcousticTissue medium;
   medium.impedance = impedance;
@@ -103,8 +103,8 @@ inline UltrasoundProbe phased_probe() {
           .lens = 60.0};
 }
 
-// The picture of a linear probe's 40 mm whose pixels are its samples, `spacing` mm apart both ways, and nothing in it
-// but echoes of surfaces.
+// The picture of a linear probe's 40 mm whose pixels are its samples, `spacing` mm apart both ways, with only echoes
+// of surfaces.
 inline UltrasoundDetail plain_detail(double depth, double spacing = 0.25, double width = 40.0) {
   UltrasoundDetail detail = paper_detail();
   detail.lines = detail.width = static_cast<int>(std::lround(width / spacing)) + 1;

@@ -14,8 +14,8 @@ namespace bodkin::checks {
 using namespace bodkin::anatomy;
 using namespace bodkin::imaging;
 
-// As many lines as the kernel takes at once, through a patient, marched by the kernel alone: echoes and what is left
-// of the sound at every sample, before anything is done with them.
+// As many lines as the kernel takes at once, through a patient, marched by the kernel alone: echoes and remaining
+// sound at every sample, before further processing.
 struct MarchedLines {
   int samples = 0;
   std::vector<float> in_phase, quadrature, amplitude, strong_at, strong_echo;
@@ -116,8 +116,8 @@ inline MarchedLines march_one(const AcousticVolume& patient, const LineStart& st
   return march_lines(patient, starts, settings);
 }
 
-// What comes back of a pressure of 1 from a surface met at an angle whose cosine is `cosine`: Fresnel's law with the
-// engine's speeds of sound, 1040 m/s + 310 m/s per MRayl.
+// Reflected pressure, for 1, from a surface met at an angle whose cosine is `cosine`: Fresnel's law with the engine's
+// speeds of sound, 1040 m/s + 310 m/s per MRayl.
 inline double fresnel(double before, double behind, double cosine = 1.0) {
   const double ratio = (1040.0 + 310.0 * behind) / (1040.0 + 310.0 * before);
   const double bent = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
@@ -125,7 +125,7 @@ inline double fresnel(double before, double behind, double cosine = 1.0) {
   return (behind * cosine - before * refracted) / (behind * cosine + before * refracted);
 }
 
-// How much of it the probe receives: a mirror's lobe and what leaves in all directions.
+// The probe's received share: a mirror's lobe and the part scattered in all directions.
 inline double received(double mirror, double cosine) {
   return mirror * std::pow(cosine, 16.0) + (1.0 - mirror) * cosine * cosine;
 }

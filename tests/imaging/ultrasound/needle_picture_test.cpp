@@ -1,9 +1,9 @@
-// A needle in the picture: how bright, where, and what it does to what lies behind it.
+// A needle in the picture: its brightness, place, and effect on deeper tissue.
 #include "tests/imaging/ultrasound/hand_made_patient.h"
 #include <gtest/gtest.h>
 
 #include "imaging/ultrasound/needle_echo.h"
-#include "imaging/ultrasound/sound_beam.h"
+#include "imaging/ultrasound/ultrasound_beam.h"
 
 namespace bodkin {
 
@@ -13,15 +13,15 @@ namespace {
 constexpr double shaft_range = 80.0;  // dB
 
 // A thick rod, whose inner echoes come one by one.
-NeedleInSound rod(const Vec3& tip, const Vec3& axis) {
-  NeedleInSound needle;
+NeedleInUltrasound rod(const Vec3& tip, const Vec3& axis) {
+  NeedleInUltrasound needle;
   needle.pose = needle_pose(tip, axis);
   needle.needle.outer_diameter = 5.0;
   return needle;
 }
 
 // A needle at an angle (degrees) to the beam that crosses the middle line 20 mm deep, its tip 10 mm further on.
-NeedleInSound crossing(double angle, double off_slice = 0.0) {
+NeedleInUltrasound crossing(double angle, double off_slice = 0.0) {
   const Vec3 axis(std::sin(angle * degree), std::cos(angle * degree), 0.0);
   return rod(Vec3(0.0, 20.0, off_slice) + 10.0 * axis, axis);
 }
@@ -69,7 +69,7 @@ TEST(NeedlePicture, is_bright_across_the_beam_and_dark_along_it) {
 
 TEST(NeedlePicture, fades_with_its_distance_from_the_slice) {
   Ultrasound machine(plain_patient(), checks::flat_probe(), needle_settings(), checks::plain_detail(50.0));
-  const double width = sound_beam(checks::flat_probe(), needle_settings()).elevation(20.0);
+  const double width = ultrasound_beam(checks::flat_probe(), needle_settings()).elevation(20.0);
   const double middle = echo_at(machine.image(Pose::Identity(), crossing(90.0)), 20.0);
   for (const double off : {-0.8, -0.5, 0.25, 0.5, 1.0}) {
     const double echo = echo_at(machine.image(Pose::Identity(), crossing(90.0, off * width)), 20.0);
@@ -100,7 +100,7 @@ TEST(NeedlePicture, ends_at_its_tip_and_its_tip_flashes) {
   UltrasoundSettings settings = needle_settings();
   settings.gain = -20.0;
   Ultrasound machine(plain_patient(), checks::flat_probe(), settings, detail);
-  NeedleInSound needle;
+  NeedleInUltrasound needle;
   const Vec3 axis = Vec3(1.0, 1.0, 0.0).normalized();
   needle.pose = needle_pose(Vec3(0.0, 20.0, 0.0), axis);
   const UltrasoundFrame frame = machine.image(Pose::Identity(), needle);
@@ -111,7 +111,7 @@ TEST(NeedlePicture, ends_at_its_tip_and_its_tip_flashes) {
   };
   EXPECT_GT(brightest(80), brightest(60) + 6.0) << "the tip beside the shaft 5 mm behind it";
   EXPECT_GT(brightest(60), brightest(100) + 20.0) << "the shaft beside what is ahead of the tip";
-  // Off the slice the tip is gone too.
+  // Off the slice the tip is invisible too.
   needle.pose = needle_pose(Vec3(0.0, 20.0, 12.0), axis);
   const UltrasoundFrame& gone = machine.image(Pose::Identity(), needle);
   EXPECT_EQ(gone.pixels, UltrasoundFrame(machine.image(Pose::Identity())).pixels);
@@ -120,7 +120,7 @@ TEST(NeedlePicture, ends_at_its_tip_and_its_tip_flashes) {
 TEST(NeedlePicture, moves_with_the_probe) {
   Ultrasound machine(plain_patient(), checks::curved_probe(), needle_settings(), paper_detail());
   const Pose here = checks::moved_to(Vec3(0.0, 0.0, 0.5)), there = checks::moved_to(Vec3(-6.0, 0.0, -1.0));
-  NeedleInSound needle = crossing(75.0, 0.3);
+  NeedleInUltrasound needle = crossing(75.0, 0.3);
   const Pose in_probe = needle.pose;
   needle.pose = here * in_probe;
   const UltrasoundFrame one = machine.image(here, needle);

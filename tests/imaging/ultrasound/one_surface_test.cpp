@@ -1,4 +1,4 @@
-// Surfaces alone: what they throw back, at what angle, and what they let through.
+// Only surfaces: their reflection, by angle, and their transmission.
 #include "tests/imaging/ultrasound/marched_lines.h"
 #include <gtest/gtest.h>
 
@@ -140,7 +140,7 @@ TEST(OneSurface, the_first_strong_one_is_known_with_all_its_echo) {
   EXPECT_LT(lines.strong_at[0], 0.0F);
 }
 
-// Whatever is on its way, no line ends with more sound than it began with.
+// For any media on its way, no line ends with more sound than it began with.
 TEST(OneSurface, many_of_them_make_no_sound) {
   Random random(3);
   std::vector<AcousticTissue> media;

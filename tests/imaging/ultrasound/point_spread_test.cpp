@@ -1,10 +1,10 @@
-// How wide a point is drawn, along the line, across it and across the slice.
+// The width of a point along the line, across it and across the slice.
 #include "tests/imaging/ultrasound/hand_made_patient.h"
 #include "tests/sanitized.h"
 #include <gtest/gtest.h>
 
 #include "imaging/ultrasound/slice_rays.h"
-#include "imaging/ultrasound/sound_beam.h"
+#include "imaging/ultrasound/ultrasound_beam.h"
 
 namespace bodkin {
 
@@ -13,8 +13,8 @@ using namespace bodkin::imaging;
 namespace {
 
 // A point of the scan plane: a needle's tip whose shaft leaves the slice at a right angle.
-NeedleInSound point_at(const Vec3& point) {
-  NeedleInSound needle;
+NeedleInUltrasound point_at(const Vec3& point) {
+  NeedleInUltrasound needle;
   needle.pose = needle_pose(point, Vec3::UnitZ());
   return needle;
 }
@@ -59,7 +59,7 @@ TEST(PointSpread, is_as_wide_as_the_probes_beam) {
     detail.width = 901;
     detail.height = 901;
     Ultrasound machine(volume, probe, settings, detail);
-    const SoundBeam beam = sound_beam(probe, settings);
+    const UltrasoundBeam beam = ultrasound_beam(probe, settings);
     for (const double wanted : depths) {
       const double at = std::round(wanted / depth * 800.0) * depth / 800.0;
       settings.gain = -checks::compensation(probe.frequency, at);
@@ -79,7 +79,7 @@ TEST(PointSpread, is_as_wide_as_the_probes_beam) {
   }
 }
 
-// Where a point of the patient is in the picture, image_to_patient says, however the probe is held.
+// image_to_patient gives a patient's point in the image for any pose of the probe.
 TEST(PointSpread, a_point_is_where_the_pictures_pose_says) {
   const auto volume = checks::hand_made({.half_width = 60.0, .depth = 90.0, .half_thickness = 60.0, .voxel = 2.0},
                                         checks::clear_medium());
@@ -95,7 +95,7 @@ TEST(PointSpread, a_point_is_where_the_pictures_pose_says) {
                                    Vec3(random.uniform(-0.05, 0.05), 1.0, random.uniform(-0.05, 0.05)),
                                    Vec3(random.normal(), 0.0, random.normal()));
       const Vec3 in_probe(random.uniform(-10.0, 10.0), random.uniform(25.0, 60.0), 0.0);
-      NeedleInSound needle = point_at(in_probe);
+      NeedleInUltrasound needle = point_at(in_probe);
       needle.pose = pose * needle.pose;
       const UltrasoundFrame& frame = machine.image(pose, needle);
       ASSERT_EQ(frame.why, NoImage::none);
@@ -115,19 +115,19 @@ TEST(PointSpread, no_beam_is_narrower_at_a_depth_than_the_one_that_focuses_there
     for (const double depth : {15.0, 30.0, 60.0}) {
       UltrasoundSettings settings;
       settings.focus = depth;
-      const double focused = sound_beam(probe, settings).lateral(depth);
+      const double focused = ultrasound_beam(probe, settings).lateral(depth);
       for (const double focus : {0.4 * depth, 2.5 * depth}) {
         settings.focus = focus;
-        EXPECT_GT(sound_beam(probe, settings).lateral(depth), focused) << to_string(probe.kind) << ' ' << depth;
+        EXPECT_GT(ultrasound_beam(probe, settings).lateral(depth), focused) << to_string(probe.kind) << ' ' << depth;
       }
     }
-    const SoundBeam beam = sound_beam(probe, {});
+    const UltrasoundBeam beam = ultrasound_beam(probe, {});
     EXPECT_LT(beam.elevation(beam.lens), beam.elevation(0.35 * beam.lens));
     EXPECT_LT(beam.elevation(beam.lens), beam.elevation(1.6 * beam.lens));
   }
 }
 
-// A strip 0.75 mm across the slice is moved through it; how bright it is where says how thick the slice is.
+// A strip 0.75 mm across the slice is moved through it; its brightness by position gives the slice's thickness.
 TEST(PointSpread, the_slice_is_as_thick_as_the_probes_beam) {
   const checks::Block block{.half_width = 3.0, .above = 2.0, .depth = 46.0, .half_thickness = 10.0, .voxel = 0.25};
   for (const double strip_at : {15.0, 40.0}) {
@@ -165,7 +165,7 @@ TEST(PointSpread, the_slice_is_as_thick_as_the_probes_beam) {
       }
       const double strip = 0.75 * 0.75 / 12.0;
       const double wanted =
-          slices == 1 ? 0.0 : std::pow(sound_beam(probe, settings).elevation(strip_at) * deviation_of_width, 2);
+          slices == 1 ? 0.0 : std::pow(ultrasound_beam(probe, settings).elevation(strip_at) * deviation_of_width, 2);
       EXPECT_NEAR(std::sqrt(variance / sum), std::sqrt(wanted + strip), 0.05 * std::sqrt(wanted + strip) + 0.03)
           << slices << " rays at " << strip_at << " mm";
     }

@@ -22,7 +22,7 @@ UltrasoundProbe sectored() {
   return {.name = "P", .kind = ProbeKind::phased, .elements = 64, .sector = 90.0};
 }
 
-// What check() says of a linear probe with one field changed.
+// check() for a linear probe with one field changed.
 template <typename Value>
 std::string refused_probe(Value UltrasoundProbe::*field, Value value, UltrasoundProbe probe = {.name = "L"}) {
   probe.*field = value;

@@ -1,4 +1,4 @@
-// Which tissues and structures the lines of a probe meet, on bodies of flat layers.
+// Tissues and structures met by a probe's lines, in bodies of flat layers.
 #include "imaging/ultrasound/scanned_parts.h"
 
 #include <limits>

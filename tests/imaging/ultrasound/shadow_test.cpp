@@ -22,7 +22,7 @@ std::shared_ptr<AcousticVolume> with_wedge(const AcousticTissue& medium) {
   });
 }
 
-// Where along the target the light begins: the x of the last black pixel's far side, in mm, from lit pixels to the
+// The beginning of light along the target: the x of the last black pixel's far side, in mm, from lit pixels to the
 // left. A curved probe's target pixels are searched within 1 mm of its depth.
 double shadow_edge(const UltrasoundFrame& frame, double right_most) {
   const auto lit = [&frame](int column) {
@@ -92,7 +92,7 @@ TEST(Shadow, behind_bone_and_air_all_is_black) {
   }
 }
 
-// A cyst: what lies behind it is brighter by what the cyst did not take.
+// A cyst: deeper tissue is brighter by the missing attenuation.
 TEST(Shadow, behind_fluid_it_is_brighter_by_what_the_fluid_did_not_take) {
   AcousticTissue tissue = checks::clear_medium(1.6, 0.6), fluid = checks::clear_medium(1.6, 0.05);
   tissue.power = 1.1;

@@ -1,4 +1,4 @@
-// A slab: two surfaces, and what lies between them takes its share on the way there and back.
+// A slab: two surfaces, and attenuation between them on the way there and back.
 #include "tests/imaging/ultrasound/marched_lines.h"
 #include <gtest/gtest.h>
 
@@ -85,8 +85,8 @@ TEST(Slab, a_picture_shows_both_surfaces_at_their_levels) {
   }
 }
 
-// The pulse and the beam draw a surface out, and leave its level: also where its ramp takes several samples, or is
-// longer than the pulse because the voxels are.
+// The pulse and the beam widen a surface, but keep its level: also if its ramp takes several samples, or exceeds the
+// pulse because of large voxels.
 TEST(Slab, pulse_and_beam_leave_a_surface_its_level) {
   for (const double voxel : {0.1, 0.25, 0.5, 1.0}) {
     const auto volume = checks::hand_made({.half_width = 22.0, .depth = 32.0, .half_thickness = 0.5, .voxel = voxel},

@@ -1,4 +1,4 @@
-// The statistics of speckle: its distribution, its level, its size, and that it belongs to the patient.
+// The statistics of speckle: its distribution, level and size, and its attachment to the patient.
 #include <array>
 
 #include "tests/imaging/ultrasound/hand_made_patient.h"
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "imaging/ultrasound/scan_kernel.h"
-#include "imaging/ultrasound/sound_beam.h"
+#include "imaging/ultrasound/ultrasound_beam.h"
 
 namespace bodkin {
 
@@ -215,7 +215,7 @@ TEST(Speckle, is_as_large_as_the_point_spread_function) {
           }
         }
       }
-      const SoundBeam beam = sound_beam(checks::flat_probe(), settings);
+      const UltrasoundBeam beam = ultrasound_beam(checks::flat_probe(), settings);
       EXPECT_NEAR(spacing * correlation_width(axial), beam.pulse, 0.15 * beam.pulse) << depth << " mm";
       EXPECT_NEAR(spacing * correlation_width(lateral), beam.lateral(depth), 0.15 * beam.lateral(depth))
           << depth << " mm";
@@ -242,8 +242,8 @@ TEST(Speckle, stays_in_the_patient_when_the_probe_moves) {
   for (const int lines : {1, 8, 50})
     EXPECT_GT(correlation(picture(Vec3(0.25 * lines, 0.0, 0.0)), lines), 0.9) << lines << " lines";
   EXPECT_LT(correlation(picture(Vec3(12.5, 0.0, 0.0)), 0), 0.2) << "and only there";
-  // Across the slice it changes with the slice's thickness, and does not come again where the scatterers do.
-  const SoundBeam beam = sound_beam(checks::flat_probe(), speckle_settings());
+  // Across the slice it changes with the slice's thickness, and does not repeat where the scatterers do.
+  const UltrasoundBeam beam = ultrasound_beam(checks::flat_probe(), speckle_settings());
   const double block = scan::cells * 0.5 * beam.pulse;
   for (const double off : {2.0 * beam.elevation(30.0), block, 2.0 * block, 3.0 * block})
     EXPECT_LT(correlation(picture(Vec3(0.0, 0.0, off)), 0), 0.3) << off << " mm across the slice";

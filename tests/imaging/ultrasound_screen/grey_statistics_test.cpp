@@ -1,4 +1,4 @@
-// Statistics of greys whose values are known in closed form.
+// Statistics of grey levels with known closed forms.
 #include "imaging/ultrasound_screen/grey_statistics.h"
 
 #include <cmath>
@@ -13,13 +13,13 @@ namespace bodkin {
 using namespace bodkin::imaging;
 namespace {
 
-GreyPicture grey_picture_of(int width, int height, double pixel) {
-  GreyPicture picture{width, height, pixel, 0.0, {}};
+GreyImage grey_image_of(int width, int height, double pixel) {
+  GreyImage picture{width, height, pixel, 0.0, {}};
   picture.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   return picture;
 }
 
-PixelWindow all_of(const GreyPicture& picture) {
+PixelWindow all_of(const GreyImage& picture) {
   return {0, 0, picture.width, picture.height};
 }
 
@@ -35,7 +35,7 @@ std::vector<double> gaussian_weights(double sigma) {
 }
 
 // Normal noise of mean 128 and standard deviation 30, smoothed by Gaussians of two widths (pixels).
-GreyPicture smoothed_noise(int width, int height, double pixel, double across, double down, std::uint64_t seed) {
+GreyImage smoothed_noise(int width, int height, double pixel, double across, double down, std::uint64_t seed) {
   const std::vector<double> rows = gaussian_weights(down), columns = gaussian_weights(across);
   const int wide = width + static_cast<int>(columns.size()) - 1, high = height + static_cast<int>(rows.size()) - 1;
   Random random(seed);
@@ -50,7 +50,7 @@ GreyPicture smoothed_noise(int width, int height, double pixel, double across, d
       }
     }
   }
-  GreyPicture picture = grey_picture_of(width, height, pixel);
+  GreyImage picture = grey_image_of(width, height, pixel);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       double sum = 0.0;
@@ -67,7 +67,7 @@ GreyPicture smoothed_noise(int width, int height, double pixel, double across, d
 TEST(GreyStatistics, smoothed_noise_is_as_wide_and_as_bright_as_it_was_made) {
   for (const auto& [across, down] : {std::pair(4.0, 2.5), std::pair(2.5, 6.0)}) {
     const double pixel = 0.08;
-    const GreyPicture picture = smoothed_noise(500, 500, pixel, across, down, 3);
+    const GreyImage picture = smoothed_noise(500, 500, pixel, across, down, 3);
     const GreyStatistics greys = grey_statistics(picture, all_of(picture));
     // The autocorrelation of white noise under a Gaussian is exp(-x^2 / (4 sigma^2)), a half at 2 sigma sqrt(ln 2).
     const double half = 2.0 * std::sqrt(std::numbers::ln2);
@@ -80,7 +80,7 @@ TEST(GreyStatistics, smoothed_noise_is_as_wide_and_as_bright_as_it_was_made) {
 }
 
 TEST(GreyStatistics, white_noise_correlates_with_nothing_but_itself) {
-  GreyPicture picture = grey_picture_of(300, 200, 0.1);
+  GreyImage picture = grey_image_of(300, 200, 0.1);
   Random random(5);
   for (std::uint8_t& grey : picture.pixels) grey = static_cast<std::uint8_t>(random.uniform(0.0, 256.0));
   const GreyStatistics greys = grey_statistics(picture, all_of(picture));
@@ -91,10 +91,10 @@ TEST(GreyStatistics, white_noise_correlates_with_nothing_but_itself) {
 }
 
 TEST(GreyStatistics, a_wave_falls_to_a_half_at_a_sixth_of_its_length) {
-  // Long, for what is left of it at a lag is no whole number of waves: at 8 of 4800 columns that shifts the half by
+  // Long, because the overlap at a lag is not a whole number of waves: at 8 of 4800 columns that shifts the half by
   // about a hundredth of a column.
   constexpr int columns = 4800;
-  GreyPicture picture = grey_picture_of(columns, 16, 0.25);
+  GreyImage picture = grey_image_of(columns, 16, 0.25);
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < columns; ++column) {
       picture.pixels[static_cast<std::size_t>(columns * row + column)] =
@@ -107,7 +107,7 @@ TEST(GreyStatistics, a_wave_falls_to_a_half_at_a_sixth_of_its_length) {
 }
 
 TEST(GreyStatistics, one_grey_has_percentiles_and_no_width) {
-  GreyPicture picture = grey_picture_of(40, 30, 0.1);
+  GreyImage picture = grey_image_of(40, 30, 0.1);
   std::fill(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{77});
   const GreyStatistics greys = grey_statistics(picture, {5, 6, 20, 10});
   for (const int grey : greys.percentiles) EXPECT_EQ(grey, 77);
@@ -116,7 +116,7 @@ TEST(GreyStatistics, one_grey_has_percentiles_and_no_width) {
 }
 
 TEST(GreyStatistics, percentiles_are_the_least_grey_that_so_many_do_not_exceed) {
-  GreyPicture picture = grey_picture_of(20, 20, 1.0);
+  GreyImage picture = grey_image_of(20, 20, 1.0);
   for (std::size_t i = 0; i < 400; ++i)
     picture.pixels[i] = i < 20 ? 0 : i < 100 ? 10 : i < 200 ? 20 : i < 301 ? 30 : 255;
   const std::array<int, 5> expected = {0, 10, 20, 30, 255};
@@ -124,7 +124,7 @@ TEST(GreyStatistics, percentiles_are_the_least_grey_that_so_many_do_not_exceed) 
 }
 
 TEST(GreyWindow, is_where_it_says_in_millimetres) {
-  GreyPicture picture = grey_picture_of(101, 80, 0.5);
+  GreyImage picture = grey_image_of(101, 80, 0.5);
   picture.top = -5.0;
   // The middle of the picture is column 50, the face row 10.
   const auto window = pixels_in(picture, {10.0, 15.0, 10.0, 8.0});
@@ -141,14 +141,15 @@ TEST(GreyWindow, is_where_it_says_in_millimetres) {
   }
 }
 
-TEST(GreyPicture, of_a_frame_has_its_marked_side_where_it_is_wanted) {
+TEST(GreyImage, of_a_frame_has_its_marked_side_where_it_is_wanted) {
   UltrasoundFrame frame;
   frame.width = 3;
   frame.height = 2;
   frame.pixel = 0.5;
   frame.corner = Vec3(-0.5, -1.0, 0.0);
   frame.pixels = {1, 2, 3, 4, 5, 6};  // columns go to the marked side
-  const GreyPicture right = grey_of(frame, MarkSide::right), left = grey_of(frame, MarkSide::left);
+  const GreyImage right = grey_of(frame, OrientationMarkerSide::right),
+                  left = grey_of(frame, OrientationMarkerSide::left);
   EXPECT_EQ(right.pixels, frame.pixels);
   EXPECT_EQ(left.pixels, (std::vector<std::uint8_t>{3, 2, 1, 6, 5, 4}));
   EXPECT_EQ(left.top, -1.0);

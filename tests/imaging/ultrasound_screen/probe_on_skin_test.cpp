@@ -1,4 +1,4 @@
-// A probe that is put on the skin, slid over it and swept: on a body whose skin is known.
+// A probe placed on the skin, slid over it and swept, on a body with a known skin.
 #include "imaging/ultrasound_screen/probe_on_skin.h"
 
 #include <cmath>

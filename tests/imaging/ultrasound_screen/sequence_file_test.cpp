@@ -1,4 +1,4 @@
-// A tracked sequence, read back by a parser that knows nothing of the writer.
+// A tracked sequence, read back by a parser independent of the writer.
 #include "imaging/ultrasound_screen/sequence_file.h"
 
 #include <map>

@@ -1,4 +1,4 @@
-// The screen of an ultrasound machine: what is measured on it, what stands still, and where things are drawn.
+// The screen of an ultrasound machine: measurements, freezing, and the places of drawings.
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "imaging/markup.h"
-#include "imaging/ultrasound_screen/machine_picture.h"
+#include "imaging/ultrasound_screen/scanner_image.h"
 #include "imaging/ultrasound_screen/screen.h"
 
 namespace bodkin {
@@ -21,8 +21,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // 100 x 80 pixels of 0.5 mm, the face's middle above the middle of the top row, one white pixel at (10, 20).
-ScanMoment a_moment() {
-  ScanMoment moment;
+ScanState a_moment() {
+  ScanState moment;
   moment.frame.width = 100;
   moment.frame.height = 80;
   moment.frame.pixel = 0.5;
@@ -41,7 +41,7 @@ Eigen::Vector2d mm_of_pixel(double column, double row) {
 }
 
 TEST(UltrasoundScreen, a_caliper_over_a_known_distance_reads_it) {
-  for (const MarkSide side : {MarkSide::left, MarkSide::right}) {
+  for (const OrientationMarkerSide side : {OrientationMarkerSide::left, OrientationMarkerSide::right}) {
     UltrasoundScreen screen(640, 480, side);
     screen.take(a_moment());
     // Clicked as a person does: pixels of the screen, 30 mm aside and 20 mm deeper.
@@ -64,7 +64,7 @@ TEST(UltrasoundScreen, a_caliper_over_a_known_distance_reads_it) {
 }
 
 TEST(UltrasoundScreen, places_and_pixels_are_each_others_inverse_and_the_mark_says_which_side) {
-  for (const MarkSide side : {MarkSide::left, MarkSide::right}) {
+  for (const OrientationMarkerSide side : {OrientationMarkerSide::left, OrientationMarkerSide::right}) {
     UltrasoundScreen screen(640, 480, side);
     screen.take(a_moment());
     for (const Eigen::Vector2d& place : {Eigen::Vector2d(-20, 3), Eigen::Vector2d(0, 0), Eigen::Vector2d(24, 39)}) {
@@ -72,20 +72,20 @@ TEST(UltrasoundScreen, places_and_pixels_are_each_others_inverse_and_the_mark_sa
       EXPECT_TRUE(screen.holds(screen.to_screen(place)) || place.y() == 0.0);
     }
     const double marked = screen.to_screen({20.0, 10.0}).x(), other = screen.to_screen({-20.0, 10.0}).x();
-    EXPECT_EQ(marked < other, side == MarkSide::left);
+    EXPECT_EQ(marked < other, side == OrientationMarkerSide::left);
     EXPECT_FALSE(screen.holds({2.0, 2.0}));
   }
 }
 
 TEST(UltrasoundScreen, frozen_it_keeps_the_frame_while_the_probe_moves) {
-  UltrasoundScreen screen(640, 480, MarkSide::left);
+  UltrasoundScreen screen(640, 480, OrientationMarkerSide::left);
   screen.take(a_moment());
   screen.freeze(true);
   screen.measure({0.0, 1.0});
   screen.measure({0.0, 2.0});
   screen.mark({3.0, 4.0}, "M1");
   const ImageRgb before = screen.compose();
-  ScanMoment moved = a_moment();
+  ScanState moved = a_moment();
   moved.pose.translation() = Vec3(10.0, 0.0, 0.0);
   moved.frame.pixels.assign(8000, 200);
   screen.take(moved);
@@ -101,7 +101,7 @@ TEST(UltrasoundScreen, frozen_it_keeps_the_frame_while_the_probe_moves) {
 }
 
 TEST(UltrasoundScreen, speaks_as_its_translator_does) {
-  UltrasoundScreen screen(640, 480, MarkSide::left);
+  UltrasoundScreen screen(640, 480, OrientationMarkerSide::left);
   screen.translate_by([](const std::string& words) {
     return words == "FROZEN" ? std::string("HALT") : words.starts_with("contact") ? std::string("Kontakt") : words;
   });
@@ -113,7 +113,7 @@ TEST(UltrasoundScreen, speaks_as_its_translator_does) {
 }
 
 TEST(UltrasoundScreen, the_bright_pixel_is_where_its_place_says) {
-  for (const MarkSide side : {MarkSide::left, MarkSide::right}) {
+  for (const OrientationMarkerSide side : {OrientationMarkerSide::left, OrientationMarkerSide::right}) {
     UltrasoundScreen screen(640, 480, side);
     screen.take(a_moment());
     const ImageRgb image = screen.compose();
@@ -125,7 +125,7 @@ TEST(UltrasoundScreen, the_bright_pixel_is_where_its_place_says) {
 }
 
 TEST(UltrasoundScreen, an_empty_one_refuses_measurements_and_draws_nothing) {
-  UltrasoundScreen screen(640, 480, MarkSide::left);
+  UltrasoundScreen screen(640, 480, OrientationMarkerSide::left);
   EXPECT_TRUE(screen.empty());
   EXPECT_THROW(screen.measure({1.0, 1.0}), InputError);
   EXPECT_THROW(screen.mark({1.0, 1.0}, "a"), InputError);
@@ -135,20 +135,21 @@ TEST(UltrasoundScreen, an_empty_one_refuses_measurements_and_draws_nothing) {
 }
 
 TEST(UltrasoundScreen, a_black_picture_says_why_and_a_broken_pose_harms_nothing) {
-  ScanMoment moment = a_moment();
+  ScanState moment = a_moment();
   moment.frame.why = NoImage::broken_pose;
   moment.pose.translation().setConstant(std::numeric_limits<double>::quiet_NaN());
   moment.pose.linear().setConstant(std::numeric_limits<double>::quiet_NaN());
-  UltrasoundScreen screen(640, 480, MarkSide::left);
+  UltrasoundScreen screen(640, 480, OrientationMarkerSide::left);
   screen.take(moment);
   EXPECT_THAT(screen.overlay().svg(), HasSubstr(escape_markup(reason(NoImage::broken_pose))));
   screen.compose();
-  const Canvas drawn = machine_picture({moment, MarkSide::left, "", {}, {}, std::nullopt}, TissueLibrary());
+  const Canvas drawn =
+      draw_scanner_image({moment, OrientationMarkerSide::left, "", {}, {}, std::nullopt}, TissueLibrary());
   EXPECT_THAT(drawn.svg(), HasSubstr("pose"));
 }
 
 TEST(UltrasoundScreen, measurements_and_the_scale_are_drawn_where_their_places_are) {
-  UltrasoundScreen screen(640, 480, MarkSide::left);
+  UltrasoundScreen screen(640, 480, OrientationMarkerSide::left);
   screen.take(a_moment());
   screen.measure({-15.0, 5.0});
   screen.mark({3.0, 30.0}, "M1");
@@ -168,8 +169,8 @@ TEST(UltrasoundScreen, measurements_and_the_scale_are_drawn_where_their_places_a
   EXPECT_EQ(brightest(35.0), 0);
 }
 
-TEST(MachinePicture, says_what_a_machine_says) {
-  MachinePicture picture;
+TEST(ScannerImage, says_what_a_machine_says) {
+  ScannerImage picture;
   picture.moment = a_moment();
   picture.moment.settings.gain = -3.0;
   picture.moment.settings.sliders[2] = 6.0;
@@ -177,34 +178,34 @@ TEST(MachinePicture, says_what_a_machine_says) {
   picture.patient = "Ada & Co";
   picture.calipers = {{{0.0, 0.0}, {0.0, 12.5}}};
   picture.markers = {{{1.0, 1.0}, "L3"}};
-  const std::string drawn = machine_picture(picture, TissueLibrary()).svg();
+  const std::string drawn = draw_scanner_image(picture, TissueLibrary()).svg();
   for (const char* words : {"L1-1", "5.0 MHz", "D 4.0 cm", "G -3 dB", "DR 60 dB", "F 2.0 cm", "contact 90 %", "TGC",
                             "22 G 40 mm", "Ada &amp; Co", "12.5 mm", ">L3<", ">cm<"}) {
     EXPECT_THAT(drawn, HasSubstr(words));
   }
   // The frame is scaled to 600 px; its bright pixel and its dark neighbour are where they belong.
-  const ImageRgb image = machine_picture(picture, TissueLibrary()).pixels(1.0);
+  const ImageRgb image = draw_scanner_image(picture, TissueLibrary()).pixels(1.0);
   const double scale = 600.0 / 80.0;
   const Eigen::Vector2d bright(124.0 + scale * (99 - 10 + 0.5), 58.0 + scale * (20 + 0.5));
   const auto x = static_cast<int>(bright.x()), y = static_cast<int>(bright.y());
   EXPECT_GT(image.at(x, y).red, 200);
   EXPECT_EQ(image.at(x + 15, y), Rgb{});
   picture.touch = false;
-  EXPECT_THAT(machine_picture(picture, TissueLibrary()).svg(), Not(HasSubstr("contact")));
+  EXPECT_THAT(draw_scanner_image(picture, TissueLibrary()).svg(), Not(HasSubstr("contact")));
 }
 
 TEST(ScanField, the_plane_of_a_frame_maps_its_pixels_as_the_frame_does) {
-  const ScanMoment moment = a_moment();
+  const ScanState moment = a_moment();
   Pose pose = Pose::Identity();
   pose.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
   pose.translation() = Vec3(10, -20, 30);
-  const SlicePlane right = plane_of(moment.frame, pose, MarkSide::right);
-  const SlicePlane left = plane_of(moment.frame, pose, MarkSide::left);
+  const SlicePlane right = plane_of(moment.frame, pose, OrientationMarkerSide::right);
+  const SlicePlane left = plane_of(moment.frame, pose, OrientationMarkerSide::left);
   const Vec3 expected = moment.frame.image_to_patient(pose) * (0.5 * Vec3(10, 20, 0));
   EXPECT_NEAR((right.point(10, 20) - expected).norm(), 0.0, 1e-9);
   EXPECT_NEAR((left.point(89, 20) - expected).norm(), 0.0, 1e-9);
-  EXPECT_EQ(grey_picture(moment.frame, MarkSide::left).at(89, 20).red, 255);
-  EXPECT_EQ(grey_picture(moment.frame, MarkSide::right).at(10, 20).red, 255);
+  EXPECT_EQ(grey_image(moment.frame, OrientationMarkerSide::left).at(89, 20).red, 255);
+  EXPECT_EQ(grey_image(moment.frame, OrientationMarkerSide::right).at(10, 20).red, 255);
 }
 
 TEST(ScanField, the_border_of_the_field_is_as_wide_and_as_deep_as_the_probe) {

@@ -70,7 +70,7 @@ TEST_F(TeacherSiteTest, shows_stations_live_with_step_force_and_picture_and_says
   runs.picture_width = 3;
   runs.picture_height = 2;
   runs.picture = {0, 50, 100, 150, 200, 250};
-  const StationCard lost{.place = "room2:18944", .trouble = "nobody answers at room2:18944"};
+  const StationCard lost{.place = "room2:18944", .trouble = "no server answers at room2:18944"};
   const TeacherSite site(place(), "", [&] { return std::vector<StationCard>{runs, lost, {.place = "room3:18944"}}; });
   const std::string page = site.answer({"/stations", "127.0.0.1:8737", {}}).body;
   EXPECT_THAT(page, HasSubstr("3 stations, 2 connected"));
@@ -80,12 +80,12 @@ TEST_F(TeacherSiteTest, shows_stations_live_with_step_force_and_picture_and_says
   EXPECT_THAT(page, HasSubstr("<polyline"));
   EXPECT_THAT(page, HasSubstr("the needle 12.0 mm deep, the target at 40 mm"));
   EXPECT_THAT(page, HasSubstr("fill=\"#ffe08a\"><title>&lt;i&gt;Fat</title>"));
-  EXPECT_THAT(page, HasSubstr("not connected: nobody answers at room2:18944"));
+  EXPECT_THAT(page, HasSubstr("not connected: no server answers at room2:18944"));
   EXPECT_THAT(page, HasSubstr("waits for a procedure"));
   EXPECT_THAT(page, Not(HasSubstr("<b>x</b>")));
   EXPECT_THAT(site.answer({"/", "127.0.0.1:8737", {}}).body, HasSubstr("href=\"/stations\""));
   EXPECT_THAT(get("/").body, Not(HasSubstr("/stations")));
-  EXPECT_THAT(get("/stations").body, HasSubstr("none was named"));
+  EXPECT_THAT(get("/stations").body, HasSubstr("no station was named"));
 }
 
 TEST_F(TeacherSiteTest, leads_from_a_trainee_to_the_curve_and_to_every_attempt) {

@@ -1,4 +1,4 @@
-#include "imaging/ultrasound/sound_beam.h"
+#include "imaging/ultrasound/ultrasound_beam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ double one_way(double wavelength, double aperture, double focus, double depth) {
 
 }  // namespace
 
-double SoundBeam::lateral(double depth) const {
+double UltrasoundBeam::lateral(double depth) const {
   const double sending = one_way(wavelength, sent, focus, depth);
   const double z = std::max(depth, shallowest);
   const double open = std::min(aperture, z / f_number);
@@ -27,12 +27,12 @@ double SoundBeam::lateral(double depth) const {
   return sending * listening / std::hypot(sending, listening);
 }
 
-double SoundBeam::elevation(double depth) const {
+double UltrasoundBeam::elevation(double depth) const {
   return one_way(wavelength, height, lens, depth) / std::sqrt(2.0);
 }
 
-SoundBeam sound_beam(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings) {
-  SoundBeam beam;
+UltrasoundBeam ultrasound_beam(const anatomy::UltrasoundProbe& probe, const UltrasoundSettings& settings) {
+  UltrasoundBeam beam;
   beam.wavelength = speed_in_tissue / (settings.frequency > 0.0 ? settings.frequency : probe.frequency);
   beam.pulse = 0.5 * probe.cycles * beam.wavelength;
   beam.aperture = probe.aperture();

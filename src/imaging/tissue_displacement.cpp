@@ -1,4 +1,4 @@
-#include "imaging/moved_tissue.h"
+#include "imaging/tissue_displacement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +35,10 @@ PointLattice lattice_around(const PatientBox& box, double spacing, int most) {
   return lattice;
 }
 
-MovedTissue::MovedTissue(const PointLattice& lattice, std::vector<float> displacements)
+TissueDisplacement::TissueDisplacement(const PointLattice& lattice, std::vector<float> displacements)
     : lattice_(lattice), displacements_(std::move(displacements)) {}
 
-Vec3 MovedTissue::of(const Vec3& rest) const {
+Vec3 TissueDisplacement::of(const Vec3& rest) const {
   const Vec3 at = (rest - lattice_.corner) / lattice_.spacing;
   std::array<std::size_t, 3> first{};
   std::array<float, 3> share{};
@@ -61,11 +61,11 @@ Vec3 MovedTissue::of(const Vec3& rest) const {
   return sum.cast<double>();
 }
 
-Vec3 MovedTissue::at_rest(const Vec3& place) const {
+Vec3 TissueDisplacement::at_rest(const Vec3& place) const {
   return rest_place(place, [this](const Vec3& at) { return of(at); });
 }
 
-RestOffsets MovedTissue::rest_offsets() const {
+RestOffsets TissueDisplacement::rest_offsets() const {
   RestOffsets made{lattice_, {}};
   made.offsets.reserve(displacements_.size());
   for (const Vec3& point : lattice_.points()) {
@@ -75,7 +75,7 @@ RestOffsets MovedTissue::rest_offsets() const {
   return made;
 }
 
-MovedTissue MovedTissue::plus(const MovedTissue& other) const {
+TissueDisplacement TissueDisplacement::plus(const TissueDisplacement& other) const {
   std::vector<float> sum = displacements_;
   std::size_t next = 0;
   for (const Vec3& point : lattice_.points()) {
@@ -84,7 +84,7 @@ MovedTissue MovedTissue::plus(const MovedTissue& other) const {
   return {lattice_, std::move(sum)};
 }
 
-double MovedTissue::most_difference(const MovedTissue& other) const {
+double TissueDisplacement::most_difference(const TissueDisplacement& other) const {
   if (lattice_.corner != other.lattice_.corner || lattice_.spacing != other.lattice_.spacing ||
       lattice_.size != other.lattice_.size)
     return std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ double MovedTissue::most_difference(const MovedTissue& other) const {
 }
 
 Slice cut_moved(const SlicePlane& plane, const anatomy::CtVolume& ct, const anatomy::TissueVolume& tissues,
-                const MovedTissue& moved) {
+                const TissueDisplacement& moved) {
   Slice slice;
   slice.plane = plane;
   for (int row = 0; row < plane.height; ++row) {

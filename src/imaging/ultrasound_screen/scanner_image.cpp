@@ -1,4 +1,4 @@
-#include "imaging/ultrasound_screen/machine_picture.h"
+#include "imaging/ultrasound_screen/scanner_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double machine_left = 124.0, machine_right = 62.0, machine_top = 58.0, machine_bottom = 24.0;  // px
 constexpr double least_machine_height = 600.0, most_machine_height = 1200.0;                             // px
-constexpr double words_height = 40.0, least_caption = 320.0;  // px, of what is said of a window; of a real picture
+constexpr double words_height = 40.0, least_caption = 320.0;  // px, for the text about a window; of a real image
 constexpr double caption_size = 15.0;                         // px
 constexpr std::uint32_t plain_colour = 0xE8EEF5;
 constexpr std::uint32_t faint_colour = 0x96A0AC;
@@ -25,9 +25,9 @@ constexpr std::uint32_t track_colour = 0x43505A, mark_colour = 0x46C878;
 
 using Spot = Eigen::Vector2d;
 
-class MachineArtist {
+class ScannerArtist {
  public:
-  explicit MachineArtist(const MachinePicture& picture) : picture_(picture), frame_(picture.moment.frame) {
+  explicit ScannerArtist(const ScannerImage& picture) : picture_(picture), frame_(picture.moment.frame) {
     scale_ =
         std::clamp(static_cast<double>(frame_.height), least_machine_height, most_machine_height) / frame_.height;
   }
@@ -36,7 +36,7 @@ class MachineArtist {
     double width = right() + machine_right, height = bottom() + machine_bottom;
     const double real_x = width;
     if (picture_.window) height += words_height;
-    if (picture_.beside) {
+    if (picture_.reference) {
       height = std::max(height, real_bottom() + machine_bottom + words_height);
       width += real_wide() + machine_right;
     }
@@ -50,7 +50,7 @@ class MachineArtist {
     canvas_.set_size(std::round(width), std::round(height));
     canvas_.fill_all(0x000000);
     header();
-    canvas_.image(grey_picture(frame_, picture_.mark), machine_left, machine_top, wide(), high());
+    canvas_.image(grey_image(frame_, picture_.mark), machine_left, machine_top, wide(), high());
     left_column();
     depth_scale();
     marked_side();
@@ -60,7 +60,7 @@ class MachineArtist {
       window(
           *picture_.window, [this](const Spot& place) { return spot_shown(place); }, machine_left, bottom());
     }
-    if (picture_.beside) real(*picture_.beside, real_x);
+    if (picture_.reference) real(*picture_.reference, real_x);
     if (slices) canvas_.place(std::move(slices->canvas), ct_x, machine_top - slices->top);
     return std::move(canvas_);
   }
@@ -74,22 +74,22 @@ class MachineArtist {
   // px of a place in the probe's frame.
   Spot spot(const Spot& place) const {
     Spot at = (place - frame_.corner.head<2>()) / frame_.pixel;
-    if (picture_.mark == MarkSide::left) at.x() = frame_.width - 1 - at.x();
+    if (picture_.mark == OrientationMarkerSide::left) at.x() = frame_.width - 1 - at.x();
     return Spot(machine_left, machine_top) + scale_ * (at + Spot::Constant(0.5));
   }
 
-  // px of a place as the picture shows it: mm to the right of its middle and below the face.
+  // px of a place in the image: mm to the right of its middle and below the face.
   Spot spot_shown(const Spot& place) const {
     return {machine_left + 0.5 * wide() + per_millimetre() * place.x(),
             machine_top + scale_ * ((place.y() - frame_.corner.y()) / frame_.pixel + 0.5)};
   }
-  double per_millimetre() const { return scale_ / frame_.pixel; }                          // px
-  double real_pixel() const { return per_millimetre() * picture_.beside->picture.pixel; }  // px
+  double per_millimetre() const { return scale_ / frame_.pixel; }                             // px
+  double real_pixel() const { return per_millimetre() * picture_.reference->picture.pixel; }  // px
   double real_wide() const {
-    return std::max({least_caption, text_width(picture_.beside->caption, caption_size),
-                     real_pixel() * picture_.beside->picture.width});
+    return std::max({least_caption, text_width(picture_.reference->caption, caption_size),
+                     real_pixel() * picture_.reference->picture.width});
   }
-  double real_bottom() const { return machine_top + real_pixel() * picture_.beside->picture.height; }
+  double real_bottom() const { return machine_top + real_pixel() * picture_.reference->picture.height; }
 
   void words(double x, double y, const std::string& text, std::uint32_t colour, double size,
              TextAnchor anchor = TextAnchor::start) {
@@ -114,13 +114,13 @@ class MachineArtist {
       y += 19.0;
     }
     sliders(bottom() - 290.0);
-    // The greys from white to black.
+    // The grey scale from white to black.
     const double top = bottom() - 151.0;
     canvas_.image(grey_ramp(12, 150), 16.0, top, 12.0, 150.0);
     canvas_.stroke(Path::rectangle(16.0, top, 12.0, 150.0), {track_colour});
   }
 
-  // The time-gain compensation, where somebody moved it.
+  // The time-gain compensation, if it was changed.
   void sliders(double y) {
     const auto& set = picture_.moment.settings.sliders;
     if (std::all_of(set.begin(), set.end(), [](double value) { return value == 0.0; })) return;
@@ -147,7 +147,7 @@ class MachineArtist {
     }
   }
 
-  // Marks at every half centimetre down to `depth` mm, as far as `last` px.
+  // Marks every half centimetre down to `depth` mm, at most to `last` px.
   template <typename Height>
   void centimetres(double x, double depth, Height&& height, double last) {
     const int between = centimetres_between_numbers(depth);
@@ -168,19 +168,20 @@ class MachineArtist {
     canvas_.text({x, machine_top - 10.0}, "B", {.size = 11.0, .anchor = TextAnchor::middle, .bold = true});
   }
 
-  // The window in a picture whose places `to_px` gives, and what is said of it below the picture.
+  // The window in an image, placed by `to_px`, and the text about it below the image.
   template <typename ToPx>
-  void window(const WindowSaid& said, ToPx&& to_px, double left, double below) {
-    const Spot middle(said.window.across, said.window.depth), half(0.5 * said.window.width, 0.5 * said.window.height);
+  void window(const WindowMessage& message, ToPx&& to_px, double left, double below) {
+    const Spot middle(message.window.across, message.window.depth),
+        half(0.5 * message.window.width, 0.5 * message.window.height);
     const Spot from = to_px(middle - half), to = to_px(middle + half);
     canvas_.stroke(Path::rectangle(from.x(), from.y(), to.x() - from.x(), to.y() - from.y()),
                    {caliper_colour, 1.0, {4.0, 3.0}});
-    for (const std::string& line : said.words) words(left, below += 18.0, line, caliper_colour, 13);
+    for (const std::string& line : message.words) words(left, below += 18.0, line, caliper_colour, 13);
   }
 
-  // The real picture with its left margin at `x`, its scale, its marked side and where it comes from.
-  void real(const RealPicture& real, double x) {
-    const GreyPicture& grey = real.picture;
+  // The real image with its left margin at `x`, its scale, its marked side and its origin.
+  void real(const ReferenceImage& real, double x) {
+    const GreyImage& grey = real.picture;
     const double across = real_pixel() * grey.width, down = real_pixel() * grey.height;
     ImageRgb image(grey.width, grey.height);
     std::transform(grey.pixels.begin(), grey.pixels.end(), image.pixels.begin(), [](std::uint8_t value) {
@@ -199,12 +200,12 @@ class MachineArtist {
           return to_px({0.0, depth}).y();
         },
         machine_top + down);
-    if (real.mark) marked_dot(*real.mark == MarkSide::left ? x + 10.0 : x + across - 10.0);
+    if (real.mark) marked_dot(*real.mark == OrientationMarkerSide::left ? x + 10.0 : x + across - 10.0);
     if (real.window) window(*real.window, to_px, x, machine_top + down);
   }
 
   void marked_side() {
-    const bool left = picture_.mark == MarkSide::left;
+    const bool left = picture_.mark == OrientationMarkerSide::left;
     marked_dot(left ? machine_left + 10.0 : right() - 10.0);
     const Vec3 to_right = (left ? -1.0 : 1.0) * picture_.moment.pose.linear().col(0);
     if (!to_right.allFinite()) return;
@@ -227,7 +228,7 @@ class MachineArtist {
     }
   }
 
-  // The sentence that says why there is no picture, broken to lines that fit.
+  // The sentence with the reason for a missing image, broken into lines that fit.
   void why() {
     const std::string sentence(reason(frame_.why));
     const auto fitting = static_cast<std::size_t>(std::max(16.0, wide() / 8.5));
@@ -245,7 +246,7 @@ class MachineArtist {
     }
   }
 
-  const MachinePicture& picture_;
+  const ScannerImage& picture_;
   const UltrasoundFrame& frame_;
   double scale_ = 1.0;  // px per pixel of the frame
   Canvas canvas_{0.0, 0.0};
@@ -253,11 +254,11 @@ class MachineArtist {
 
 }  // namespace
 
-Canvas machine_picture(const MachinePicture& picture, const anatomy::TissueLibrary& library) {
-  return MachineArtist(picture).draw(library);
+Canvas draw_scanner_image(const ScannerImage& picture, const anatomy::TissueLibrary& library) {
+  return ScannerArtist(picture).draw(library);
 }
 
-SlicePanel ct_panel(const anatomy::Case& patient, const ScanMoment& moment, MarkSide mark,
+SlicePanel ct_panel(const anatomy::Case& patient, const ScanState& moment, OrientationMarkerSide mark,
                     const std::vector<Vec3>& needle) {
   SlicePanel panel;
   panel.slice = cut(plane_of(moment.frame, moment.pose, mark), patient.ct, patient.tissues);

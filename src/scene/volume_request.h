@@ -12,10 +12,10 @@
 
 namespace bodkin::scene {
 
-// What draws a volume.
+// The renderer of a volume.
 enum class VolumeDrawer : std::uint8_t {
-  automatic,  // a graphics card where there is one, else the processor
-  card,       // OpenGL, also one that is computed by the processor
+  automatic,  // a graphics card if there is one, else the processor
+  card,       // OpenGL, even if emulated by the processor
   processor   // imaging::RayCaster
 };
 inline constexpr std::array<VolumeDrawer, 3> volume_drawers = {VolumeDrawer::automatic, VolumeDrawer::card,
@@ -23,26 +23,26 @@ inline constexpr std::array<VolumeDrawer, 3> volume_drawers = {VolumeDrawer::aut
 // "automatic", "card", "processor"
 std::string_view name_of(VolumeDrawer drawer);
 
-// The rays of a camera's picture.
+// The rays of a camera's image.
 imaging::VolumeCamera volume_camera(const Projection& projection);
 
-// A picture of the inside of a patient that is wanted.
-struct VolumeOrder {
+// A requested image of the inside of a patient.
+struct VolumeRequest {
   Camera camera;
   imaging::VolumeLook look;
   int width = 0, height = 0;      // pixels
-  double voxels = 1.0;            // that a step is long
-  bool may_be_cut_short = false;  // by another order; one that follows a moving camera must not, or none is finished
+  double voxels = 1.0;            // length of a step
+  bool may_be_cut_short = false;  // by another request; not while following a moving camera, or none would finish
   VolumeDrawer drawer = VolumeDrawer::processor;
 
-  bool operator==(const VolumeOrder&) const = default;
+  bool operator==(const VolumeRequest&) const = default;
 };
 
 struct VolumeResult {
-  VolumeOrder order;
+  VolumeRequest request;
   std::vector<std::uint32_t> pixels;  // 0xffRRGGBB, row by row
   std::shared_ptr<const imaging::RayCaster> caster;
-  double seconds = 0.0;  // that it took
+  double seconds = 0.0;  // to draw it
   bool by_card = false;
 };
 

@@ -5,17 +5,17 @@
 
 namespace bodkin::imaging {
 
-// The echoes of a picture before its beam is given a width: rows of `stride` floats, a row a sample.
-struct EchoRows {
+// The echoes of an image before its beam is given a width: rows of `stride` floats, one row per sample.
+struct EchoLines {
   int lines = 0, samples = 0, stride = 0;
   std::span<float> in_phase;         // samples x stride
   std::span<float> quadrature;       // samples x stride
-  std::span<const float> amplitude;  // samples x stride: there and back, of what reaches a sample
+  std::span<const float> amplitude;  // samples x stride: there and back, of the sound that reaches a sample
 
   std::size_t at(int sample, int line) const {
     return static_cast<std::size_t>(sample) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(line);
   }
-  // Adds an echo between two samples of a line, to each its share. Outside the rows nothing happens.
+  // Adds an echo between two samples of a line, divided between them. No effect outside the rows.
   void add(double sample, int line, double echo) const {
     if (!(sample >= 0.0) || sample >= samples - 1) return;
     const int before = static_cast<int>(sample);
