@@ -10,7 +10,7 @@ namespace bodkin::link {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Appends numbers in network order, the highest byte first, as OpenIGTLink has them.
+// Appends numbers in network byte order, as OpenIGTLink requires.
 class ByteWriter {
  public:
   void u8(std::uint8_t value) { bytes_.push_back(value); }
@@ -19,7 +19,7 @@ class ByteWriter {
   void u64(std::uint64_t value) { number(value, 8); }
   void f32(float value);
   void f64(double value);
-  // Exactly `size` bytes: what is longer is cut, what is shorter is filled with zeros.
+  // Exactly `size` bytes: longer text is truncated, shorter text is padded with zeros.
   void field(std::string_view text, std::size_t size);
   void raw(std::span<const std::uint8_t> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
 
@@ -31,7 +31,7 @@ class ByteWriter {
   Bytes bytes_;
 };
 
-// Takes them apart again. Throws InputError, which says how many bytes are missing, when they end too early.
+// Reads what ByteWriter wrote. Throws InputError, which says how many bytes are missing, at a premature end.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

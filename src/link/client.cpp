@@ -27,8 +27,8 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
-// A client that tries a port of this machine again and again, where nobody listens, is in the end given that very
-// port by the system, and connects to itself.
+// A client that keeps trying an unused port of this machine is eventually given that very port by the system, and
+// connects to itself.
 bool is_own_end(const tcp::socket& socket) {
   error_code ignored;
   return socket.local_endpoint(ignored) == socket.remote_endpoint(ignored);
@@ -63,7 +63,7 @@ ClientSettings parse_server(const std::string& text, const std::string& what) {
   return settings;
 }
 
-// All but what the mutex guards belongs to the client's thread.
+// Everything not guarded by the mutex belongs to the client's thread.
 struct Client::Shared {
   Shared(Client& client, const ClientSettings& from, Events to)
       : owner(client),
@@ -80,11 +80,11 @@ struct Client::Shared {
   asio::io_context context;
   tcp::resolver resolver;
   asio::steady_timer timer;
-  // The present connection; a handler of an older one finds another number and does nothing.
+  // The present connection; a handler of an older one finds a different number and does nothing.
   std::shared_ptr<tcp::socket> socket;
   std::uint64_t attempt = 0;
   bool is_up = false;
-  std::string refusal;  // why the server is about to end the connection, as its STATUS said
+  std::string refusal;  // why the server is about to end the connection, by its STATUS
   Clock::time_point heard;
   std::array<std::uint8_t, header_size> head{};
   MessageHeader header;
@@ -107,7 +107,7 @@ struct Client::Shared {
                            : fmt::format("{}: {}", place, refusal);
   }
   std::string nobody_answers(const std::string& why) const {
-    return fmt::format("nobody answers at {} ({}); is the server started?", place, why);
+    return fmt::format("no server answers at {} ({}); has it been started?", place, why);
   }
   void hear_status(const Message& message);
   void set(ClientState state, const std::string& sentence) {
@@ -139,7 +139,7 @@ void Client::Shared::connect() {
                             [this, number, kept = socket](const error_code& refused, const tcp::endpoint&) {
                               if (number != attempt) return;
                               if (refused) return end(number, nobody_answers(refused.message()));
-                              if (is_own_end(*socket)) return end(number, nobody_answers("no server has it"));
+                              if (is_own_end(*socket)) return end(number, nobody_answers("no server listens there"));
                               begin(number);
                             });
       });
@@ -169,7 +169,7 @@ void Client::Shared::watch(std::uint64_t number) {
   timer.async_wait([this, number](const error_code& stopped) {
     if (stopped || number != attempt) return;
     if (Clock::now() - heard > settings.silence)
-      return end(number, fmt::format("{} has said nothing for {} s", place,
+      return end(number, fmt::format("{} has sent nothing for {} s", place,
                                      std::chrono::duration<double>(settings.silence).count()));
     watch(number);
   });
@@ -177,7 +177,7 @@ void Client::Shared::watch(std::uint64_t number) {
 
 void Client::Shared::end(std::uint64_t number, const std::string& why) {
   if (number != attempt) return;
-  ++attempt;  // what is still under way belongs to the past
+  ++attempt;  // pending work belongs to the old connection
   is_up = false;
   error_code ignored;
   socket->close(ignored);
@@ -200,7 +200,7 @@ void Client::Shared::read(std::uint64_t number) {
                        return end(number, fmt::format("{}: {}", place, refused.what()));
                      }
                      if (header.body_size > settings.largest_message) {
-                       return end(number, fmt::format("{} sent a message of {} bytes, at most {} are taken", place,
+                       return end(number, fmt::format("{} sent a message of {} bytes, at most {} are accepted", place,
                                                       header.body_size, settings.largest_message));
                      }
                      read_body(number);
@@ -233,10 +233,10 @@ void Client::Shared::read_body(std::uint64_t number) {
 void Client::Shared::hear_status(const Message& message) {
   if (message.type != "STATUS") return;
   try {
-    const StatusText told = read_status(message.content);
-    refusal = told.code == status_ok ? std::string() : told.message;
+    const StatusText reply = read_status(message.content);
+    refusal = reply.code == status_ok ? std::string() : reply.message;
   } catch (const InputError&) {
-    return;  // a STATUS that is cut off says nothing
+    return;  // a truncated STATUS is ignored
   }
 }
 

@@ -18,7 +18,7 @@ constexpr std::string_view prefix = "CMD_";
 constexpr std::size_t longest_command = 4096;  // bytes
 constexpr std::size_t command_name = 128;      // of the field in COMMAND
 
-// What stands in a COMMAND: number, name, character set, length, text.
+// The fields of a COMMAND: number, name, character set, length, text.
 struct CommandMessage {
   std::uint32_t id = 0;
   std::string name;

@@ -32,12 +32,12 @@ void put_point(ByteWriter& writer, const Vec3& lps) {
   for (int axis = 0; axis < 3; ++axis) writer.f32(static_cast<float>(ras[axis]));
 }
 
-// Of an image with one number a voxel. Its place is its middle, not its corner.
+// Of an image with one number per voxel. Its position is its middle, not its corner.
 void put_image_header(ByteWriter& writer, std::uint8_t type, std::uint8_t byte_order, const anatomy::Grid& grid) {
   constexpr std::uint16_t image_version = 1;
   constexpr std::uint8_t right_anterior_superior = 1;
   writer.u16(image_version);
-  writer.u8(1);  // numbers a voxel
+  writer.u8(1);  // numbers per voxel
   writer.u8(type);
   writer.u8(byte_order);
   writer.u8(right_anterior_superior);
@@ -84,7 +84,7 @@ Bytes string_content(const std::string& text) {
 
 std::string read_string(std::span<const std::uint8_t> content) {
   ByteReader reader(content);
-  reader.u16();  // the character set: ASCII and UTF-8 are what is sent
+  reader.u16();  // the character set: ASCII and UTF-8 are sent
   const std::span<const std::uint8_t> text = reader.raw(reader.u16());
   return {text.begin(), text.end()};
 }
@@ -111,7 +111,8 @@ StatusText read_status(std::span<const std::uint8_t> content) {
 
 Bytes sensor_content(std::span<const double> values, SensorUnit unit) {
   constexpr std::size_t most = std::numeric_limits<std::uint8_t>::max();
-  if (values.size() > most) throw InputError(fmt::format("{} numbers, a SENSOR holds {}", values.size(), most));
+  if (values.size() > most)
+    throw InputError(fmt::format("{} numbers, but a SENSOR holds at most {}", values.size(), most));
   // Four bits of a prefix, then six units of six bits, each with an exponent of four.
   constexpr std::uint64_t milli = 0xB, newton = 0x0B, joule = 0x0D, once = 1;
   const auto packed = [](std::uint64_t prefix, std::uint64_t of) { return prefix << 60U | of << 54U | once << 50U; };
@@ -217,7 +218,7 @@ Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows,
   constexpr std::uint8_t either_end = 2;
   if (columns < 1 || rows < 1 ||
       pixels.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
-    throw InputError(fmt::format("{} pixels are no picture of {} x {}", pixels.size(), columns, rows));
+    throw InputError(fmt::format("{} pixels do not make an image of {} x {}", pixels.size(), columns, rows));
   }
   const anatomy::Grid grid{{columns, rows, 1}, Vec3::Constant(pixel), pose.linear(), pose.translation()};
   ByteWriter writer;
@@ -267,21 +268,22 @@ GreyImage read_image(std::span<const std::uint8_t> content) {
     each = turned({x, y, static_cast<double>(reader.f32())});
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (reader.u16() != 0) throw InputError("a picture comes in parts, expected a whole one");
+    if (reader.u16() != 0) throw InputError("an image comes in parts, expected a whole one");
   }
   for (const int count : size) {
-    if (reader.u16() != count) throw InputError("a picture comes in parts, expected a whole one");
+    if (reader.u16() != count) throw InputError("an image comes in parts, expected a whole one");
   }
   if (components != 1 || type != uint8 || size[2] != 1 || size[0] < 1 || size[1] < 1) {
-    throw InputError(fmt::format(
-        "a picture of {} x {} x {} has {} numbers of type {} a pixel, expected a slice with one byte each", size[0],
-        size[1], size[2], components, type));
+    throw InputError(
+        fmt::format("an image of {} x {} x {} pixels has {} values of type {} per pixel, expected a slice with one "
+                    "byte per pixel",
+                    size[0], size[1], size[2], components, type));
   }
   const auto bytes = reader.raw(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
   GreyImage image{size[0], size[1], place[0].norm(), Pose::Identity(), {bytes.begin(), bytes.end()}};
   const bool is_placed = place[3].allFinite() && std::isfinite(image.pixel) && image.pixel > 0.0 &&
                          place[1].allFinite() && place[1].norm() > 0.0;
-  if (!is_placed) throw InputError("a picture's pixels have no size, or its place is no finite number");
+  if (!is_placed) throw InputError("the pixels of an image have no size, or its position is not finite");
   const Vec3 along = place[0].normalized(), down = place[1].normalized(), across = along.cross(down);
   image.pose.linear().col(0) = along;
   image.pose.linear().col(1) = down;

@@ -11,19 +11,19 @@
 #include "anatomy/grid.h"
 #include "core/geometry.h"
 
-// What the kinds of message contain (OpenIGTLink's protocol, header version 1). Coordinates on the network are RAS in
-// mm, those of Bodkin LPS in mm; every function here takes and gives LPS and turns it.
+// The contents of the kinds of message (OpenIGTLink's protocol, header version 1). Coordinates on the network are RAS
+// in mm, those of Bodkin LPS in mm; every function here takes and returns LPS and converts.
 namespace bodkin::link {
 
-// A tool to the patient, whose axes are turned from LPS to RAS or back: L M with L = diag(-1, -1, 1). The tool keeps
-// its own axes: a probe's first one points to its marked side in either.
+// The pose of a tool in the patient, whose axes are converted from LPS to RAS or back: L M with L = diag(-1, -1, 1).
+// The tool keeps its own axes: a probe's first axis points to its orientation marker in both.
 Pose turn_axes(const Pose& pose);
 
 // TRANSFORM: the upper three rows, column by column, in single precision.
 Bytes transform_content(const Pose& lps);
 Pose read_transform(std::span<const std::uint8_t> content);
 
-// STRING, in ASCII; text beyond 65,535 bytes is cut.
+// STRING, in ASCII; text beyond 65,535 bytes is truncated.
 Bytes string_content(const std::string& text);
 std::string read_string(std::span<const std::uint8_t> content);
 
@@ -37,8 +37,8 @@ struct StatusText {
 // Throws InputError for fewer bytes than a STATUS has.
 StatusText read_status(std::span<const std::uint8_t> content);
 
-// NDARRAY of doubles: `values` row by row, `columns` of them in a row; throws InputError where they do not fill rows,
-// or for more than 65,535 rows.
+// NDARRAY of doubles: `values` row by row, `columns` of them per row; throws InputError if they do not fill rows, or
+// for more than 65,535 rows.
 Bytes array_content(std::span<const double> values, std::size_t columns);
 struct NumberArray {
   std::vector<std::uint16_t> size;  // along each dimension
@@ -71,24 +71,24 @@ std::vector<Vec3> read_surface_points(std::span<const std::uint8_t> content);
 // along a row, second down the columns, LPS; `pixel` mm.
 Bytes image_content(std::span<const std::uint8_t> pixels, int columns, int rows, double pixel, const Pose& pose);
 
-// What stands before the voxels in an IMAGE of 16-bit numbers with signs, the lowest byte first, on that lattice.
+// The part of an IMAGE of signed 16-bit little-endian numbers before its voxels, on that lattice.
 Bytes volume_header(const anatomy::Grid& grid);
 
-// IMGMETA: the images of 16-bit numbers that can be asked for.
+// IMGMETA: the available images of 16-bit numbers.
 struct ListedImage {
   std::string name;      // for people, at most 64 bytes
-  std::string device;    // that GET_IMAGE names, at most 20 bytes
+  std::string device;    // for GET_IMAGE, at most 20 bytes
   std::string modality;  // at most 32 bytes
   std::array<int, 3> size = {0, 0, 0};
 };
 Bytes image_list_content(std::span<const ListedImage> images);
 
-// The bytes of an IMAGE of unsigned bytes with one slice. Throws InputError for another kind, for a part of a
-// picture, and for fewer bytes than it names.
+// Reads an IMAGE of unsigned bytes with one slice. Throws InputError for another kind, for a part of an image, and
+// for fewer bytes than stated.
 struct GreyImage {
   int width = 0, height = 0;     // pixels
   double pixel = 0.0;            // mm, along a row
-  Pose pose = Pose::Identity();  // of the centre of its first pixel, as image_content() has it
+  Pose pose = Pose::Identity();  // of the centre of its first pixel, as for image_content()
   std::vector<std::uint8_t> pixels;
 };
 GreyImage read_image(std::span<const std::uint8_t> content);

@@ -34,15 +34,15 @@ void check_name(const std::string& name, std::size_t size, const char* what) {
       fmt::format("the {} of a message is '{}', {} bytes; expected at most {}", what, name, name.size(), size));
 }
 
-// Seconds since 1970 as the header holds them, in 2^-32 s. A time that it cannot hold becomes the nearest one that it
-// can: a stamp read from a header may, as a double, lie just beyond the last.
+// Seconds since 1970 as in the header, in 2^-32 s. A time out of range becomes the nearest representable one: a stamp
+// read from a header may, as a double, lie just beyond the last.
 std::uint64_t time_stamp(double seconds) {
   const double last = std::nextafter(fraction, 0.0);
   if (!(seconds > 0)) return 0;
   return static_cast<std::uint64_t>(std::min(seconds, last) * fraction);
 }
 
-// As all messages of the protocol are called; a line of text is not.
+// Whether the type name is one of the protocol's; a line of text is not.
 bool is_type(const std::string& text) {
   return text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string::npos;
 }
@@ -93,7 +93,7 @@ MessageHeader read_header(std::span<const std::uint8_t> bytes) {
   const bool is_known_version = header.version != 0 && header.version <= newest_version;
   if (header.type.empty() || !is_printable(header.type) || !is_printable(header.device) ||
       (!is_known_version && !is_type(header.type)))
-    throw InputError("this is no header of OpenIGTLink; the other side speaks another protocol");
+    throw InputError("this is not a header of OpenIGTLink; the other side speaks another protocol");
   if (!is_known_version) {
     throw InputError(fmt::format(
         "the header of a message has version {}, expected 1 or 2; let the other side speak OpenIGTLink 1 to 3",

@@ -29,8 +29,8 @@ constexpr std::array<std::pair<std::string_view, ModelPart>, 3> own_parts = {{{"
                                                                               {"constraint", ModelPart::constraint},
                                                                               {"compensation", ModelPart::weight}}};
 
-// Calls visit(parameter, value, struct) for each that a client may set: a vector, whose components are given together
-// or not at all, is none.
+// Calls visit(parameter, value, struct) for each parameter that a client may set: not for vectors, whose components
+// are given together or not at all.
 template <typename Settings, typename Visit>
 void visit_parameters(Settings& settings, const Part& part, const Visit& visit) {
   forces::visit_part(settings, part.kind, part.tissue, [&](auto& owner) {

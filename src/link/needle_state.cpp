@@ -20,10 +20,10 @@ Vec3 mirrored(const Vec3& force) {
   return {-force.x(), -force.y(), force.z()};
 }
 
-// What is out of range becomes 0: the sender is another program.
+// Values out of range become 0: the sender is another program.
 template <typename Whole>
 Whole whole(double value) {
-  constexpr double exact = 9007199254740992.0;  // 2^53: beyond it a double does not hold every whole number
+  constexpr double exact = 9007199254740992.0;  // 2^53: beyond it a double does not represent every whole number
   const double most = std::min(exact, static_cast<double>(std::numeric_limits<Whole>::max()));
   return value >= 0.0 && value <= most ? static_cast<Whole>(value) : Whole{};
 }
@@ -91,8 +91,8 @@ Bytes needle_state_content(const NeedleState& state) {
 NeedleState read_needle_state(std::span<const std::uint8_t> content) {
   const NumberArray array = read_array(content);
   if (array.size.size() != 2 || array.size[0] != 1 || array.size[1] < fixed_columns) {
-    throw InputError(
-        fmt::format("NeedleState is no row of at least {} numbers; the server is another Bodkin", fixed_columns));
+    throw InputError(fmt::format(
+        "NeedleState is not a row of at least {} numbers; the server runs another version of Bodkin", fixed_columns));
   }
   const std::vector<double>& row = array.values;
   if (!std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); }))

@@ -9,8 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "link/closing_messages.h"
 #include "link/contents.h"
-#include "link/farewell.h"
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -34,7 +34,7 @@ using Packed = std::shared_ptr<const Bytes>;
 constexpr std::size_t most_received = 1024, most_notes = 64;
 constexpr std::chrono::milliseconds watch_interval{100};
 
-// One connection. All of it belongs to the server's thread.
+// One connection. It belongs entirely to the server's thread.
 struct Connection {
   explicit Connection(tcp::socket from) : socket(std::move(from)) {}
 
@@ -53,12 +53,12 @@ struct Connection {
   std::array<std::uint8_t, header_size> head{};
   MessageHeader header;
   Bytes body;
-  std::optional<Clock::time_point> began;  // a message that is not complete
+  std::optional<Clock::time_point> began;  // an incomplete message
   Clock::time_point second = Clock::now();
   std::size_t in_second = 0;  // messages since then
   std::size_t untaken = 0;    // bytes that it sent since Shared::takes was `untaken_since`
   std::uint64_t untaken_since = 0;
-  std::optional<std::chrono::milliseconds> tracking;  // the interval it asked for
+  std::optional<std::chrono::milliseconds> tracking;  // the requested interval
   Clock::time_point tracked;
 };
 
@@ -66,7 +66,7 @@ struct Connection {
 
 struct Server::Shared {
   explicit Shared(const ServerSettings& from)
-      : settings(from), acceptor(context), watch(context), farewells(context) {}
+      : settings(from), acceptor(context), watch(context), closing_messages(context) {}
 
   ServerSettings settings;
   asio::io_context context;
@@ -75,9 +75,9 @@ struct Server::Shared {
   Clock::time_point last_status = Clock::now();
   std::map<std::uint64_t, std::shared_ptr<Connection>> connections;
   std::uint64_t last_number = 0;
-  Farewells farewells;
-  bool told_of_full = false;  // since a client was let in
-  mutable std::mutex mutex;   // of what follows
+  ClosingMessages closing_messages;
+  bool reported_full = false;  // since a client was let in
+  mutable std::mutex mutex;    // of what follows
   std::deque<Received> received;
   std::uint64_t takes = 0;  // how often it was emptied
   std::vector<std::string> notes;
@@ -90,10 +90,10 @@ struct Server::Shared {
   void keep_watch();
   void read_head(const std::shared_ptr<Connection>& connection);
   void read_body(const std::shared_ptr<Connection>& connection);
-  void take_message(Connection& connection, Message message);
+  void receive_message(Connection& connection, Message message);
   void queue(const std::shared_ptr<Connection>& connection, const std::string& replaceable, const Packed& bytes);
   void write(const std::shared_ptr<Connection>& connection);
-  // With a sentence: the server's own decision.
+  // With a message: the server's own decision.
   void close(Connection& connection, const std::string& why);
 };
 
@@ -102,7 +102,7 @@ void Server::Shared::listen() {
   const auto address = asio::ip::make_address(settings.address, error);
   if (error) {
     throw InputError(
-        fmt::format("'{}' is no address, expected one of this machine such as 127.0.0.1", settings.address));
+        fmt::format("'{}' is not an address, expected one of this machine such as 127.0.0.1", settings.address));
   }
   const tcp::endpoint endpoint(address, settings.port);
   acceptor.open(endpoint.protocol(), error);
@@ -115,7 +115,7 @@ void Server::Shared::listen() {
   }
   if (error) {
     throw InputError(
-        fmt::format("nobody can be let in at {}, port {}: {}", settings.address, settings.port, error.message()));
+        fmt::format("no client can connect at {}, port {}: {}", settings.address, settings.port, error.message()));
   }
 }
 
@@ -132,7 +132,7 @@ void Server::Shared::accept() {
       connection->peer = fmt::format("{}:{}", peer.address().to_string(), peer.port());
       connection->number = ++last_number;
       connections.emplace(connection->number, connection);
-      told_of_full = false;
+      reported_full = false;
       {
         const std::lock_guard lock(mutex);
         ++counts.accepted;
@@ -149,14 +149,14 @@ void Server::Shared::refuse(tcp::socket socket) {
       "all {} places of this server are taken; end another client, or start the server with more --clients",
       settings.most_clients);
   error_code ignored;
-  farewells.say(socket.release(ignored), status_busy, why);
+  closing_messages.send(socket.release(ignored), status_busy, why);
   const std::lock_guard lock(mutex);
   ++counts.refused;
-  if (std::exchange(told_of_full, true) || notes.size() == most_notes) return;  // a client may try every second
-  notes.push_back(fmt::format("a client found no place: {} are let in", settings.most_clients));
+  if (std::exchange(reported_full, true) || notes.size() == most_notes) return;  // a client may try every second
+  notes.push_back(fmt::format("a client was refused: {} are connected already", settings.most_clients));
 }
 
-// Ends what has stalled, and shows everybody that the server lives.
+// Ends stalled connections, and shows every client that the server lives.
 void Server::Shared::keep_watch() {
   watch.expires_after(watch_interval);
   watch.async_wait([this](const error_code& error) {
@@ -166,7 +166,7 @@ void Server::Shared::keep_watch() {
     for (const auto& [number, connection] : connections) all.push_back(connection);
     for (const auto& connection : all) {
       if (connection->began && now - *connection->began > settings.patience)
-        close(*connection, "the rest of a message did not come");
+        close(*connection, "the rest of a message did not arrive");
     }
     if (now - last_status >= settings.keep_alive) {
       last_status = now;
@@ -187,7 +187,7 @@ void Server::Shared::close(Connection& connection, const std::string& why) {
   if (why.empty() || connection.writes) {  // in the middle of a message there is no other one
     connection.socket.close(ignored);
   } else {
-    farewells.say(connection.socket.release(ignored), status_error, "the connection is ended: " + why);
+    closing_messages.send(connection.socket.release(ignored), status_error, "the connection is ended: " + why);
   }
   const std::lock_guard lock(mutex);
   counts.clients = connections.size();
@@ -199,7 +199,7 @@ void Server::Shared::close(Connection& connection, const std::string& why) {
 
 void Server::Shared::read_head(const std::shared_ptr<Connection>& connection) {
   connection->began.reset();
-  // The first byte on its own: from then on the rest has its time.
+  // The first byte separately: it starts the time limit for the rest.
   asio::async_read(connection->socket, asio::buffer(connection->head.data(), 1),
                    [this, connection](const error_code& error, std::size_t /*size*/) {
                      if (error) return close(*connection, {});
@@ -219,8 +219,8 @@ void Server::Shared::read_body(const std::shared_ptr<Connection>& connection) {
     return close(*connection, error.what());
   }
   if (connection->header.body_size > settings.largest_message) {
-    return close(*connection, fmt::format("a message of {} bytes, at most {} are taken", connection->header.body_size,
-                                          settings.largest_message));
+    return close(*connection, fmt::format("a message of {} bytes, at most {} are accepted",
+                                          connection->header.body_size, settings.largest_message));
   }
   connection->body.resize(connection->header.body_size);
   asio::async_read(connection->socket, asio::buffer(connection->body),
@@ -236,7 +236,7 @@ void Server::Shared::read_body(const std::shared_ptr<Connection>& connection) {
                                     fmt::format("more than {} messages in a second", settings.most_messages));
                      }
                      try {
-                       take_message(*connection, unpack(connection->header, connection->body));
+                       receive_message(*connection, unpack(connection->header, connection->body));
                      } catch (const InputError& refused) {
                        return close(*connection, refused.what());
                      }
@@ -244,7 +244,7 @@ void Server::Shared::read_body(const std::shared_ptr<Connection>& connection) {
                    });
 }
 
-void Server::Shared::take_message(Connection& connection, Message message) {
+void Server::Shared::receive_message(Connection& connection, Message message) {
   const auto self = connections.find(connection.number);
   if (self == connections.end()) return;
   {
@@ -271,14 +271,14 @@ void Server::Shared::take_message(Connection& connection, Message message) {
       return;
     }
   }
-  close(connection, "it sends more than is taken");
+  close(connection, "it sends more than is accepted");
 }
 
 void Server::Shared::queue(const std::shared_ptr<Connection>& connection, const std::string& replaceable,
                            const Packed& bytes) {
   if (!connections.contains(connection->number)) return;
   if (!replaceable.empty()) {
-    // The first in the queue is being written.
+    // The first message in the queue is being written.
     for (std::size_t i = connection->writes ? 1 : 0; i < connection->queue.size(); ++i) {
       Connection::Waiting& waiting = connection->queue[i];
       if (waiting.replaceable != replaceable) continue;
@@ -290,7 +290,7 @@ void Server::Shared::queue(const std::shared_ptr<Connection>& connection, const 
     }
   }
   if (connection->queued + bytes->size() > settings.largest_queue)
-    return close(*connection, "it does not take what it asked for");
+    return close(*connection, "it does not read what it asked for");
   connection->queue.push_back({replaceable, bytes, bytes->size()});
   connection->queued += bytes->size();
   if (!connection->writes) write(connection);
@@ -351,7 +351,7 @@ void Server::publish_tracking(const Message& message) {
     const Clock::time_point now = Clock::now();
     std::vector<std::shared_ptr<Connection>> all;
     for (const auto& [number, connection] : shared->connections) {
-      // A message a little early is better than one that comes at half the rate.
+      // A slightly early message is better than messages at half the rate.
       if (connection->tracking && now - connection->tracked >= *connection->tracking * 9 / 10)
         all.push_back(connection);
     }

@@ -12,7 +12,7 @@ namespace bodkin::link {
 
 namespace {
 
-// On="true" of a command, or the other way round from `now`.
+// On="true" of a command, or the opposite of `now`.
 bool wanted(const Command& command, bool now) {
   const auto found = command.values.find("On");
   if (found == command.values.end()) return !now;
@@ -22,14 +22,14 @@ bool wanted(const Command& command, bool now) {
       fmt::format("On of the command {} is '{}', expected true or false", command.name, found->second.substr(0, 40)));
 }
 
-// PLUS sets the gain in percent of what a machine can.
+// PLUS sets the gain in percent of the machine's range.
 Range gain_range() {
   using imaging::UltrasoundSettings;
   Range range;
   const auto look_at = [&range](const auto& parameter) {
     if (parameter.member == &UltrasoundSettings::gain) range = parameter.range;
   };
-  std::apply([&look_at](const auto&... each) { (look_at(each), ...); }, UltrasoundSettings::parameters());
+  for_each_item(UltrasoundSettings::parameters(), look_at);
   return range;
 }
 
@@ -46,10 +46,10 @@ double percent_of_gain(double gain) {
 }  // namespace
 
 void SessionCommands::begin(station::Station& station) {
-  if (models_) feel_models(station);
+  if (models_) apply_models(station);
 }
 
-bool SessionCommands::feel_models(station::Station& station) const {
+bool SessionCommands::apply_models(station::Station& station) const {
   if (anatomy::body_of(station.patient().description.haptics.resistance) != nullptr) return false;
   station.change_numbers(models_->haptics, models_->tissues);
   return true;
@@ -70,12 +70,12 @@ SessionCommands::Answer SessionCommands::apply(const Command& command, station::
     return {ultrasound_ ? "NeedleTipToReference,ProbeToReference,Image_Reference,CT" : "NeedleTipToReference,CT", {}};
   if (name == "StartProcedure" || name == "StartRecording" || name == "LoadCase")
     throw InputError("a session runs already and is recorded; StopRecording ends it, Reset begins it again");
-  if (name == "GetModelParameters") return tell_parameters(command, station);
+  if (name == "GetModelParameters") return report_parameters(command, station);
   if (name == "SetModelParameter") {
     forces::ModelSettings changed = models_ ? *models_ : forces::model_settings(station.patient());
     std::string sentence = set_parameter(changed, command);
     models_ = std::move(changed);
-    sentence += feel_models(station) ? "" : " from Reset on: a deformable body keeps what it was prepared with";
+    sentence += apply_models(station) ? "" : " from Reset on: a deformable body keeps what it was prepared with";
     return {std::move(sentence), {}};
   }
   if (name == "SetUsParameter" || name == "GetUsParameter")
@@ -113,7 +113,7 @@ std::string SessionCommands::apply_to_needle(const Command& command, station::St
   if (command.name == "HoldBreath") {
     const bool on = wanted(command, status.needle.other.breath_held);
     if (on != status.needle.other.breath_held) station.command(StationCommand::turn_breath);
-    return on ? "the patient is asked to hold the breath" : "the patient breathes on";
+    return on ? "the patient is asked to hold the breath" : "the patient breathes again";
   }
   throw InputError(fmt::format(
       "the command {} is not known; expected Freeze, Clutch, Plunger, Finger, Stylet, Manometer, HoldBreath, Arm, "
@@ -126,38 +126,38 @@ std::string SessionCommands::apply_to_ultrasound(const Command& command, station
                                                  const station::StationStatus& status) {
   if (!ultrasound_ || status.ultrasound == nullptr)
     throw InputError("this session has no ultrasound; start bodkin serve with --ultrasound PROBE");
-  station::ScanOrder order = order_.value_or(status.ultrasound->order);
-  order.probe = status.ultrasound->order.probe;
+  station::ScanSetup setup = setup_.value_or(status.ultrasound->setup);
+  setup.probe = status.ultrasound->setup.probe;
   if (command.name == "GetUsParameter") {
     return fmt::format("DepthMm={:g},GainDb={:g},GainPercent={:g},FrequencyMhz={:g},FocusMm={:g}",
-                       order.settings.depth, order.settings.gain, percent_of_gain(order.settings.gain),
-                       order.settings.frequency, order.settings.focus);
+                       setup.settings.depth, setup.settings.gain, percent_of_gain(setup.settings.gain),
+                       setup.settings.frequency, setup.settings.focus);
   }
   for (const auto& [name, value] : command.values) {
     if (name == "DepthMm")
-      order.settings.depth = command.number(name);
+      setup.settings.depth = command.number(name);
     else if (name == "GainDb")
-      order.settings.gain = command.number(name);
+      setup.settings.gain = command.number(name);
     else if (name == "GainPercent")
-      order.settings.gain = gain_of_percent(command.number(name));
+      setup.settings.gain = gain_of_percent(command.number(name));
     else if (name == "FrequencyMhz")
-      order.settings.frequency = command.number(name);
+      setup.settings.frequency = command.number(name);
     else if (name == "FocusMm")
-      order.settings.focus = command.number(name);
+      setup.settings.focus = command.number(name);
     else if (name != "UsDeviceId")
       throw InputError(
-          fmt::format("{} is no setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or "
+          fmt::format("{} is not a setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or "
                       "FocusMm",
                       name.substr(0, 40)));
   }
-  imaging::check(order.settings, ultrasound_->probe);
-  station.set_scan_order(order);
-  order_ = order;
+  imaging::check(setup.settings, ultrasound_->probe);
+  station.set_scan_setup(setup);
+  setup_ = setup;
   return "the ultrasound is set";
 }
 
-// A STRING holds 65,535 bytes, so one part of the model at a time.
-SessionCommands::Answer SessionCommands::tell_parameters(const Command& command, const station::Station& station) {
+// A STRING has at most 65,535 bytes, so one part of the model at a time.
+SessionCommands::Answer SessionCommands::report_parameters(const Command& command, const station::Station& station) {
   const auto part = command.values.find("Part");
   const std::string text = parameters_json(models_ ? *models_ : forces::model_settings(station.patient()),
                                            part == command.values.end() ? "resistance" : part->second);

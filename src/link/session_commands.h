@@ -12,15 +12,15 @@
 
 namespace bodkin::link {
 
-// Does what the commands of clients ask of a running session. docs/openigtlink.md has the list.
+// Executes the commands of clients in a running session. docs/openigtlink.md has the list.
 class SessionCommands {
  public:
   struct Answer {
     std::string sentence;
-    std::optional<Message> besides;  // for the same client, before the answer
+    std::optional<Message> besides;  // for the same client, before the reply
   };
 
-  // `ultrasound`: that the station was given. `models`: numbers of the force model in place of those of the case.
+  // `ultrasound`: as given to the station. `models`: numbers of the force model instead of the case's.
   explicit SessionCommands(const std::optional<station::UltrasoundChoice>& ultrasound,
                            std::optional<forces::ModelSettings> models = {})
       : ultrasound_(ultrasound), models_(std::move(models)) {}
@@ -28,12 +28,12 @@ class SessionCommands {
   // The session has begun.
   void begin(station::Station& station);
 
-  // Throws InputError, one sentence, when it cannot be done.
+  // Throws InputError, one sentence, when it is impossible.
   Answer apply(const Command& command, station::Station& station, const station::StationStatus& status);
 
-  // Somebody asked for Reset: this session is to be saved, and another one to begin.
+  // Whether a client requested Reset: this session is to be saved, and another one started.
   bool wants_again() const { return again_; }
-  // The numbers of the force model now, which it is to begin with; nothing: those of the case.
+  // The present numbers of the force model, for the next session; empty: those of the case.
   const std::optional<forces::ModelSettings>& models() const { return models_; }
 
  private:
@@ -41,12 +41,12 @@ class SessionCommands {
                               const station::StationStatus& status);
   std::string apply_to_ultrasound(const Command& command, station::Station& station,
                                   const station::StationStatus& status);
-  // False: a deformable body keeps the numbers that it was prepared with.
-  bool feel_models(station::Station& station) const;
-  Answer tell_parameters(const Command& command, const station::Station& station);
+  // False: a deformable body keeps the numbers with which it was prepared.
+  bool apply_models(station::Station& station) const;
+  Answer report_parameters(const Command& command, const station::Station& station);
 
   std::optional<station::UltrasoundChoice> ultrasound_;
-  std::optional<station::ScanOrder> order_;  // that clients have made
+  std::optional<station::ScanSetup> setup_;  // by clients
   std::optional<forces::ModelSettings> models_;
   bool again_ = false;
 };

@@ -29,8 +29,8 @@ Vec3 in_ras(const Vec3& vector) {
   return {-vector.x(), -vector.y(), vector.z()};
 }
 
-// The tissues that the planned path meets, for a side view: JSON of [title, colour, depth in mm where it begins], up
-// to a little behind the target.
+// The tissues that the planned path meets, for a side view: JSON of [title, colour, depth of its beginning in mm], to
+// slightly behind the target.
 nlohmann::ordered_json layers_of(const anatomy::Case& patient, const anatomy::NeedlePath& path) {
   constexpr double step = 0.25, beyond = 15.0;  // mm
   nlohmann::ordered_json layers = nlohmann::ordered_json::array();
@@ -47,10 +47,10 @@ nlohmann::ordered_json layers_of(const anatomy::Case& patient, const anatomy::Ne
   return layers;
 }
 
-// As it lies in tissue that has been pushed ahead.
+// In tissue that has been pushed ahead.
 Pose needle_in_body(const station::HandSnapshot& needle) {
   Pose pose = needle.needle;
-  pose.translation() -= needle.needle_ahead;
+  pose.translation() -= needle.coupling_offset;
   return pose;
 }
 
@@ -112,7 +112,7 @@ void SessionFeed::update(station::Station& station, const station::StationStatus
   for (const std::string& sentence : server_.take_notes()) screen_.note(sentence);
 }
 
-// What does not change: who lies there, and where the needle is to go.
+// The constant data: the patient and the plan.
 void SessionFeed::greet(const anatomy::Case& patient, std::span<const forces::DiagnosticName> diagnostics,
                         double now) {
   const anatomy::CaseDescription& about = patient.description;
@@ -148,7 +148,7 @@ void SessionFeed::greet(const anatomy::Case& patient, std::span<const forces::Di
 
 void SessionFeed::send_poses(const station::StationStatus& status, double now) {
   std::vector<TrackedTool> tools = {{"NeedleTipToReference", needle_in_body(status.needle)}};
-  if (status.ultrasound != nullptr) tools.push_back({"ProbeToReference", status.ultrasound->order.probe});
+  if (status.ultrasound != nullptr) tools.push_back({"ProbeToReference", status.ultrasound->setup.probe});
   for (const TrackedTool& tool : tools)
     server_.publish({"TRANSFORM", tool.name, now, transform_content(tool.pose)}, true);
   server_.publish_tracking({"TDATA", "Bodkin", now, tracking_content(tools)});
@@ -174,7 +174,7 @@ void SessionFeed::send_forces(const station::StationStatus& status, double now) 
       true);
 }
 
-// While the needle moves it.
+// While the needle moves the sheet.
 void SessionFeed::send_skin(const station::StationStatus& status, std::span<const float> displacements, double now) {
   if (skin_.empty()) return;
   const double dimple = contact_.skin_dimple(status.needle.output, status.diagnostic_names);
@@ -199,7 +199,7 @@ void SessionFeed::send_events(const station::StationStatus& status, const anatom
   }
 }
 
-// What a screen would show in words, whenever it changes.
+// The text of a screen, after each change.
 void SessionFeed::send_state(const station::StationStatus& status, const anatomy::TissueLibrary& library,
                              double now) {
   const haptics::ServoSnapshot& servo = status.servo;
@@ -221,17 +221,17 @@ void SessionFeed::send_state(const station::StationStatus& status, const anatomy
   server_.publish({"STRING", "State", now, string_content(state_)}, true);
 }
 
-void SessionFeed::send_picture(const station::LivePicture& picture, double now) {
+void SessionFeed::send_picture(const station::LiveImage& picture, double now) {
   picture_ = picture.number;
   const imaging::UltrasoundFrame& frame = picture.frame;
   if (frame.width < 1 || frame.height < 1) return;
   server_.publish({"IMAGE", "Image_Reference", now,
                    image_content(frame.pixels, frame.width, frame.height, frame.pixel,
-                                 frame.image_to_patient(picture.order.probe))},
+                                 frame.image_to_patient(picture.setup.probe))},
                   true);
 }
 
-// Of the images that a client may fetch: which there are, or one of them.
+// Answers requests for images: the list of the available ones, or one of them.
 bool SessionFeed::is_query(const Received& received, const anatomy::Case& patient, double now) {
   const std::string& type = received.message.type;
   if (type == "GET_IMGMETA") {
@@ -253,7 +253,7 @@ void SessionFeed::answer(station::Station& station, const station::StationStatus
     try {
       if (is_query(received, station.patient(), now)) continue;
       const std::optional<Command> command = command_of(received.message);
-      if (!command) continue;  // a message that means nothing here
+      if (!command) continue;  // a message without meaning here
       SessionCommands::Answer answer = commands_.apply(*command, station, status);
       if (answer.besides) server_.send(received.client, *answer.besides);
       sentence = std::move(answer.sentence);

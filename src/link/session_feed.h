@@ -17,14 +17,14 @@
 
 namespace bodkin::link {
 
-// Tells the clients of a server what happens in a running session, and does what they ask of it. An observer of the
-// station; hands on to another one, who shows the session on this machine. What is sent, and how it is named:
+// Sends the events of a running session to the clients of a server, and executes their commands. An observer of the
+// station; forwards all calls to another one, which displays the session on this machine. Messages and their names:
 // docs/openigtlink.md.
 class SessionFeed : public station::StationObserver {
  public:
-  // `ultrasound`: that the station was given. `rate`: poses per second, 1 to 240. `steps`: of the procedure, to say
-  // which of them was reached. `models`: numbers of the force model in place of those of the case. The server and the
-  // screen must outlive this.
+  // `ultrasound`: as given to the station. `rate`: poses per second, 1 to 240. `steps`: of the procedure, to report
+  // those reached. `models`: numbers of the force model instead of the case's. The server and the screen must outlive
+  // this object.
   SessionFeed(Server& server, station::StationObserver& screen,
               const std::optional<station::UltrasoundChoice>& ultrasound, double rate,
               std::vector<WatchedStep> steps = {}, std::optional<forces::ModelSettings> models = {});
@@ -35,7 +35,7 @@ class SessionFeed : public station::StationObserver {
   std::chrono::milliseconds interval() const override;
   void update(station::Station& station, const station::StationStatus& status) override;
 
-  // What clients have asked for beyond this session.
+  // The requests of clients beyond this session.
   const SessionCommands& commands() const { return commands_; }
 
  private:
@@ -45,7 +45,7 @@ class SessionFeed : public station::StationObserver {
   void send_events(const station::StationStatus& status, const anatomy::TissueLibrary& library, double now);
   void send_skin(const station::StationStatus& status, std::span<const float> displacements, double now);
   void send_state(const station::StationStatus& status, const anatomy::TissueLibrary& library, double now);
-  void send_picture(const station::LivePicture& picture, double now);
+  void send_picture(const station::LiveImage& picture, double now);
   bool is_query(const Received& received, const anatomy::Case& patient, double now);
   void answer(station::Station& station, const station::StationStatus& status, double now);
 
@@ -55,16 +55,16 @@ class SessionFeed : public station::StationObserver {
   StepWatch steps_;
   SessionCommands commands_;
   bool has_begun_ = false;
-  std::optional<CtMessage> ct_;  // once a client has asked for it
+  std::optional<CtMessage> ct_;  // once requested by a client
   std::vector<std::uint64_t> waiting_for_ct_;
-  std::uint64_t greeted_ = 0;  // clients accepted when all were told of the patient
-  std::uint64_t picture_ = 0;  // number of the last one that was sent
-  std::string state_;          // that was sent last
+  std::uint64_t greeted_ = 0;  // clients accepted when the patient was last sent to all
+  std::uint64_t picture_ = 0;  // number of the last image sent
+  std::string state_;          // last one sent
   SkinSheet skin_;
   station::PunctureWatch contact_;
-  std::size_t screen_points_ = 0;  // of a deformable body that the screen follows; those of the skin come after them
-  double dimple_ = 0.0;            // mm, that was sent last
-  std::string tissues_;            // fingerprint of the patient's tissue voxels
+  std::size_t screen_points_ = 0;  // of a deformable body displayed by the screen; followed by those of the skin
+  double dimple_ = 0.0;            // mm, last one sent
+  std::string tissues_;            // digest of the patient's tissue voxels
   bool deforms_ = false;           // the body is a deformable one
 };
 

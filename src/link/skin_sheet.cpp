@@ -11,16 +11,16 @@ namespace {
 
 constexpr int points_across = 25, middle_point = points_across / 2;
 constexpr double spacing = 3.0;              // mm
-constexpr double before = 40.0;              // mm of the plan's line that are searched for skin, and as many behind
+constexpr double before = 40.0;              // mm of the plan's line searched for skin, and as many behind
 constexpr double step = 0.25;                // mm
-constexpr double farthest_from_sheet = 5.0;  // mm, of a point that goes with the skin
+constexpr double farthest_from_sheet = 5.0;  // mm, of a point that moves with the skin
 
 // Of the point in column i and row j.
 std::size_t index_of(int i, int j) {
   return static_cast<std::size_t>(j) * points_across + static_cast<std::size_t>(i);
 }
 
-// The first place along the line that is not air.
+// The first non-air place along the line.
 std::optional<Vec3> skin_on(const anatomy::TissueVolume& tissues, const Vec3& from, const Vec3& along) {
   for (double way = -before; way <= before; way += step) {
     const Vec3 point = from + way * along;

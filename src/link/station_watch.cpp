@@ -46,7 +46,7 @@ std::vector<StationLayer> layers_in(const nlohmann::json& json) {
   return layers;
 }
 
-// The attribute of an element that this program wrote elsewhere: enough for <CommandReply Status="..." />.
+// The attribute of an element written by another instance of this program: enough for <CommandReply Status="..." />.
 std::string attribute_in(const std::string& text, const std::string& name) {
   const std::size_t at = text.find(name + "=\"");
   if (at == std::string::npos) return {};
@@ -58,8 +58,8 @@ void take_force(StationView& view, const NumberArray& rows) {
   if (rows.size.size() != 2 || rows.size[1] < 3) return;
   const std::size_t columns = rows.size[1];
   for (std::size_t at = 0; at + columns <= rows.values.size(); at += columns) {
-    const StationMoment moment{rows.values[at], rows.values[at + 1], rows.values[at + 2]};
-    std::vector<StationMoment>& moments = view.moments;
+    const StationState moment{rows.values[at], rows.values[at + 1], rows.values[at + 2]};
+    std::vector<StationState>& moments = view.moments;
     if (!moments.empty() && moment.time < moments.back().time) moments.clear();  // a new session
     if (moments.empty() || moment.time - moments.back().time >= kept_interval) moments.push_back(moment);
   }
@@ -120,7 +120,7 @@ struct StationWatch::Shared {
         view.picture = std::move(image.pixels);
       }
     } catch (const std::exception&) {
-      return;  // a message of another kind than ours tells nothing
+      return;  // a message of a foreign kind is ignored
     }
   }
 

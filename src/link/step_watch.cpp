@@ -6,7 +6,7 @@
 
 namespace bodkin::link {
 
-// Nobody waits for it: nothing shows it, or only where a patient has a place to feel and fluid to measure.
+// Not awaited: nothing shows it, or only in patients with a place to palpate and fluid to measure.
 bool StepWatch::may_be_left_out(std::size_t step) const {
   const WatchedStep& one = steps_[step];
   return one.tissue.empty() && (one.event.empty() || session::is_of_other_hand(one.event));
@@ -15,7 +15,7 @@ bool StepWatch::may_be_left_out(std::size_t step) const {
 void StepWatch::update(std::span<const station::HandSample> samples, std::span<const session::SessionEvent> events,
                        const anatomy::TissueLibrary& library) {
   std::size_t used = 0;  // events that have shown a step
-  // A step and what shows it; of events those that have shown none so far.
+  // A step and its evidence; events only if they have not shown another step.
   const auto shows = [&](const WatchedStep& step) {
     if (!step.tissue.empty()) {
       return std::any_of(samples.begin(), samples.end(), [&](const station::HandSample& sample) {

@@ -11,16 +11,16 @@
 
 namespace bodkin::link {
 
-// A stage of a procedure, and what shows that it was reached: a tissue at the tip, or an event.
+// A step of a procedure, and its evidence: a tissue at the tip, or an event.
 struct WatchedStep {
   std::string title;
-  std::string tissue;  // "fat"; empty: an event, or nothing, shows it
+  std::string tissue;  // "fat"; empty: shown by an event, or not detectable
   std::string event;   // "contact"
 };
 
-// Which stages a session that runs has reached, each after the one before it; what nothing shows is passed over, and
-// so is what only a second hand does, where it does not. The score of the recording (training/score.h) can do more:
-// it also finds stages after one that was left out.
+// Which steps a running session has reached, each after the previous one; steps without evidence are skipped, and so
+// are those of a second hand, if there is none. The score of the recording (training/score.h) is more complete: it
+// also finds steps after one that was left out.
 class StepWatch {
  public:
   explicit StepWatch(std::vector<WatchedStep> steps) : steps_(std::move(steps)) {}
@@ -28,10 +28,10 @@ class StepWatch {
   void update(std::span<const station::HandSample> samples, std::span<const session::SessionEvent> events,
               const anatomy::TissueLibrary& library);
 
-  // How many there are, and the newest that was reached, from 1; 0: none yet.
+  // Their number, and the newest one reached, from 1; 0: none yet.
   std::size_t count() const noexcept { return steps_.size(); }
   std::size_t number() const noexcept { return reached_; }
-  // The title of that one; empty: none yet.
+  // The title of the newest one reached; empty: none yet.
   std::string title() const { return reached_ == 0 ? std::string() : steps_[reached_ - 1].title; }
 
  private:

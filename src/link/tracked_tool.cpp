@@ -21,7 +21,7 @@ Pose with_rotation(Pose pose, const std::string& tool) {
   if ((turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() > 2.0 * most_skew ||
       turn.determinant() < 0.0) {
     throw InputError(
-        fmt::format("the matrix of {} is no rotation; expected one without scale, shear or mirror", tool));
+        fmt::format("the matrix of {} is not a rotation; expected one without scale, shear or mirror", tool));
   }
   pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
   return pose;
@@ -47,14 +47,14 @@ std::optional<Pose> pose_of_tool(const Message& message, const std::string& tool
 Pose TrackedPlacement::to_operator(const Pose& lps) const noexcept {
   Pose pose = Pose::Identity();
   if (frame == TrackedFrame::patient) {
-    // Right, away and up of an operator who stands at the feet of a prone patient (station/hand_session.h).
+    // Right, away and up for an operator who stands at the feet of a prone patient (station/hand_session.h).
     Mat3 to;
     to << -Vec3::UnitX().transpose(), Vec3::UnitZ().transpose(), Vec3::UnitY().transpose();
     pose.linear() = to * lps.linear() * tool;
     pose.translation() = to * (lps.translation() - middle);
     return pose;
   }
-  const Pose own = turn_axes(lps);  // as the tracker sent it
+  const Pose own = turn_axes(lps);  // as sent by the tracker
   pose.linear() = axes * own.linear() * tool;
   pose.translation() = axes * (own.translation() - middle);
   return pose;

@@ -34,7 +34,7 @@ struct TrackingSettings {
   double rate = 1000.0;        // Hz
   double patience = 0.5;       // s without a pose; 0: for ever
   double first_pose = 5.0;     // s to wait for when the device is opened
-  std::uint32_t interval = 0;  // ms between two TDATA to be asked for; 0: not asked
+  std::uint32_t interval = 0;  // ms between requested TDATA; 0: none requested
 };
 
 std::optional<Mat3> axes_of_tracker(const std::string& text) {
@@ -103,7 +103,7 @@ TrackingSettings tracking_settings(const std::string& identity, const char* word
   }
   settings.placement.axes = *own_axes;
   settings.placement.tool = *tool;
-  // The session says where the patient's middle is (station::settings_about), the user where the tracker's is.
+  // The session defines the patient's middle (station::settings_about), the user the tracker's.
   const std::string whose = frame == "hand" ? "middle" : "patient";
   settings.placement.middle.x() = given.number(whose + "_x_mm", 0.0, -farthest, farthest);
   settings.placement.middle.y() = given.number(whose + "_y_mm", 0.0, -farthest, farthest);
@@ -139,7 +139,7 @@ class TrackingDevice : public haptics::OpenDevice {
                                         if (settings_.interval > 0) client.send(tracking_request(settings_.interval));
                                       }}) {}
 
-  // Throws DriverFailure when none came in time.
+  // Throws DriverFailure if none arrived in time.
   void wait_for_first_pose() {
     using Clock = std::chrono::steady_clock;
     for (const auto begin = Clock::now(); poses_.load() == 0;) {
@@ -178,7 +178,7 @@ class TrackingDevice : public haptics::OpenDevice {
  private:
   struct Reading {
     Pose pose = Pose::Identity();  // operator's frame
-    double time = 0.0;             // s, monotonic, when it came
+    double time = 0.0;             // s, monotonic, of its arrival
     std::uint64_t number = 0;
   };
 
@@ -195,7 +195,7 @@ class TrackingDevice : public haptics::OpenDevice {
       if (!pose) return;
       if (!settings_.reference.empty()) {
         if (!reference_ || (settings_.patience > 0.0 && now - reference_time_ > settings_.patience)) return;
-        // Both have come with the tracker's axes turned to LPS, which their quotient takes back.
+        // Both arrive with the tracker's axes turned to LPS, which their quotient undoes.
         pose = turn_axes(reference_->inverse() * *pose);
       }
       const std::uint64_t number = poses_.load() + 1;
@@ -213,7 +213,7 @@ class TrackingDevice : public haptics::OpenDevice {
       return status.sentence.empty() ? client_.place() + " does not answer" : status.sentence;
     const std::lock_guard lock(mutex_);
     if (!refused_.empty()) return refused_;
-    return fmt::format("{} is connected and sends no {}{}: is the tool in sight, and is that its name?",
+    return fmt::format("{} is connected but sends no {}{}: is the tool in sight, and is that its name?",
                        client_.place(), settings_.tool,
                        settings_.reference.empty() ? "" : " with " + settings_.reference);
   }
@@ -222,7 +222,7 @@ class TrackingDevice : public haptics::OpenDevice {
   LatestValue<Reading> readings_;
   std::atomic<std::uint64_t> poses_{0};
   std::optional<Pose> reference_;  // of the client's thread
-  double reference_time_ = 0.0;    // s, monotonic, when it came
+  double reference_time_ = 0.0;    // s, monotonic, of its arrival
   TrackedMotion motion_;
   std::uint64_t seen_ = 0;
   mutable std::mutex mutex_;

@@ -4,9 +4,9 @@
 
 namespace bodkin::link {
 
-// A tool of a tracker, "openigtlink:HOST:PORT/TOOL", that PLUS, 3D Slicer or another server sends as TRANSFORM or
-// TDATA: it is the hand, and feels no force. While poses fail to come the device is lost and the needle stays; it
-// connects again on its own. docs/devices.md lists the settings.
+// A tool of a tracker as the hand, "openigtlink:HOST:PORT/TOOL", sent by PLUS, 3D Slicer or another server as
+// TRANSFORM or TDATA; it feels no force. While no poses arrive the device is lost and the needle stays; it reconnects
+// on its own. docs/devices.md lists the settings.
 const bodkin_driver& tracking_driver() noexcept;
 
 }  // namespace bodkin::link

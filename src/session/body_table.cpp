@@ -46,9 +46,9 @@ std::int64_t checksum_of_step(std::uint64_t step, std::uint64_t digest, std::spa
   return chunk_checksum(step, static_cast<std::uint32_t>(digest >> 32U), static_cast<std::uint32_t>(digest), probe);
 }
 
-std::int64_t checksum_of_taken(const BodyTaken& taken) {
-  return chunk_checksum(taken.number * 0x100000001B3ULL + taken.tick, static_cast<std::uint32_t>(taken.step >> 32U),
-                        static_cast<std::uint32_t>(taken.step), {});
+std::int64_t checksum_of_applied_step(const AppliedBodyStep& step) {
+  return chunk_checksum(step.number * 0x100000001B3ULL + step.tick, static_cast<std::uint32_t>(step.step >> 32U),
+                        static_cast<std::uint32_t>(step.step), {});
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ std::int64_t checksum_of_taken(const BodyTaken& taken) {
 BodyTables::BodyTables(SQLite::Database& database) {
   for (const session_schema::Table& table : session_schema::moving_body) database.exec(table.sql);
   insert_step_ = std::make_unique<SQLite::Statement>(database, "INSERT INTO body_steps VALUES(?, ?, ?, ?)");
-  insert_taken_ = std::make_unique<SQLite::Statement>(database, "INSERT INTO body_taken VALUES(?, ?, ?, ?)");
+  insert_applied_step_ = std::make_unique<SQLite::Statement>(database, "INSERT INTO body_taken VALUES(?, ?, ?, ?)");
 }
 
 BodyTables::~BodyTables() = default;
@@ -65,8 +65,8 @@ void BodyTables::add(const fem::BodyStep& step) {
   if (step.step <= most_body_rows) steps_.push_back(step);
 }
 
-void BodyTables::add(const BodyTaken& taken) {
-  if (taken.number < most_body_rows) taken_.push_back(taken);
+void BodyTables::add(const AppliedBodyStep& step) {
+  if (step.number < most_body_rows) applied_steps_.push_back(step);
 }
 
 void BodyTables::put() {
@@ -85,21 +85,21 @@ void BodyTables::put() {
     insert_step_->bind(4, checksum_of_step(step.step, step.digest, probe));
     insert_step_->exec();
   }
-  for (const BodyTaken& taken : taken_) {
-    insert_taken_->reset();
-    insert_taken_->bind(1, static_cast<std::int64_t>(taken.number));
-    insert_taken_->bind(2, static_cast<std::int64_t>(taken.tick));
-    insert_taken_->bind(3, static_cast<std::int64_t>(taken.step));
-    insert_taken_->bind(4, checksum_of_taken(taken));
-    insert_taken_->exec();
+  for (const AppliedBodyStep& step : applied_steps_) {
+    insert_applied_step_->reset();
+    insert_applied_step_->bind(1, static_cast<std::int64_t>(step.number));
+    insert_applied_step_->bind(2, static_cast<std::int64_t>(step.tick));
+    insert_applied_step_->bind(3, static_cast<std::int64_t>(step.step));
+    insert_applied_step_->bind(4, checksum_of_applied_step(step));
+    insert_applied_step_->exec();
   }
   steps_.clear();
-  taken_.clear();
+  applied_steps_.clear();
 }
 
 void BodyTables::close() {
   insert_step_.reset();
-  insert_taken_.reset();
+  insert_applied_step_.reset();
 }
 
 std::vector<fem::BodyStep> read_body_steps(SQLite::Database& database, const std::string& file) {
@@ -123,20 +123,19 @@ std::vector<fem::BodyStep> read_body_steps(SQLite::Database& database, const std
   return steps;
 }
 
-std::vector<BodyTaken> read_body_taken(SQLite::Database& database, const std::string& file) {
-  std::vector<BodyTaken> all;
+std::vector<AppliedBodyStep> read_applied_body_steps(SQLite::Database& database, const std::string& file) {
+  std::vector<AppliedBodyStep> all;
   if (!database.tableExists("body_taken")) return all;
   SQLite::Statement query(database, "SELECT number, tick, step, checksum FROM body_taken ORDER BY number");
   while (query.executeStep()) {
-    BodyTaken taken;
-    taken.number = static_cast<std::uint64_t>(query.getColumn(0).getInt64());
-    taken.tick = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
-    taken.step = static_cast<std::uint64_t>(query.getColumn(2).getInt64());
-    const bool in_order = all.empty() || (taken.tick > all.back().tick && taken.step > all.back().step);
-    if (all.size() >= most_body_rows || !in_order || query.getColumn(3).getInt64() != checksum_of_taken(taken))
-      refuse_session(file,
-                     fmt::format("entry {} of what the needle met of the moving body is damaged", taken.number));
-    all.push_back(taken);
+    AppliedBodyStep step;
+    step.number = static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+    step.tick = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
+    step.step = static_cast<std::uint64_t>(query.getColumn(2).getInt64());
+    const bool in_order = all.empty() || (step.tick > all.back().tick && step.step > all.back().step);
+    if (all.size() >= most_body_rows || !in_order || query.getColumn(3).getInt64() != checksum_of_applied_step(step))
+      refuse_session(file, fmt::format("entry {} of what the needle met of the moving body is damaged", step.number));
+    all.push_back(step);
   }
   return all;
 }

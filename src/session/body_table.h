@@ -14,31 +14,31 @@ class Statement;
 
 namespace bodkin::session {
 
-// The tables `body_steps` and `body_taken` of a session file, which only a session has whose body moved by itself.
+// The tables `body_steps` and `body_taken` of a session file, only in a session whose body moved on its own.
 class BodyTables {
  public:
-  // Makes them. Throws SQLite::Exception, as all below. `database` must outlive the object.
+  // Creates them. Throws SQLite::Exception, as all functions below. `database` must outlive the object.
   explicit BodyTables(SQLite::Database& database);
   ~BodyTables();
 
-  // Kept until put(). More than a session may have are left out.
+  // Buffered until put(). Steps beyond the limit of a session are dropped.
   void add(const fem::BodyStep& step);
-  void add(const BodyTaken& taken);
-  bool empty() const noexcept { return steps_.empty() && taken_.empty(); }
+  void add(const AppliedBodyStep& step);
+  bool empty() const noexcept { return steps_.empty() && applied_steps_.empty(); }
   // Inside the caller's transaction.
   void put();
-  // Lets go of the database.
+  // Releases the database.
   void close();
 
  private:
-  std::unique_ptr<SQLite::Statement> insert_step_, insert_taken_;
+  std::unique_ptr<SQLite::Statement> insert_step_, insert_applied_step_;
   std::vector<fem::BodyStep> steps_;
-  std::vector<BodyTaken> taken_;
+  std::vector<AppliedBodyStep> applied_steps_;
 };
 
-// In their order; none where there are no such tables. `file`: how messages begin. Throw InputError for rows that no
-// writer makes, and SQLite::Exception.
+// In their order; none if the tables do not exist. `file`: prefix of messages. Throw InputError for invalid rows, and
+// SQLite::Exception.
 std::vector<fem::BodyStep> read_body_steps(SQLite::Database& database, const std::string& file);
-std::vector<BodyTaken> read_body_taken(SQLite::Database& database, const std::string& file);
+std::vector<AppliedBodyStep> read_applied_body_steps(SQLite::Database& database, const std::string& file);
 
 }  // namespace bodkin::session

@@ -22,12 +22,12 @@ constexpr std::string_view second_kind = "2:";  // before tissues had a physical
 constexpr std::string_view third_kind = "3:";
 constexpr std::size_t largest_mesh = std::size_t{4} << 30;  // bytes
 
-// Parameters that came later: at zero, as they are where a library says nothing of them, they leave the digests of
-// earlier sessions as they were.
+// Later parameters: at zero, the default of a library without them, they leave the digests of earlier sessions
+// unchanged.
 constexpr std::array<std::string_view, 5> later_parameters = {"fibres", "young_along_MPa", "shear_along_MPa",
                                                               "cutting_force_N", "cutting_share"};
 
-// Every parameter, whether or not it counts for the alternative chosen, but what is in the element `without`.
+// Every parameter, whether or not the chosen alternative uses it, except those in the element `without`.
 template <Parameterized Settings>
 void add_parameters(const Settings& settings, std::string& text, std::string_view without = {}) {
   for_each_entry(
@@ -49,7 +49,7 @@ void add_parameters(const Settings& settings, std::string& text, std::string_vie
       settings);
 }
 
-// What Bodkin 0.1 put into the digest of a case. Its sessions must stay comparable: never change it.
+// The contents of a case digest in Bodkin 0.1. Its sessions must stay comparable: never change them.
 void add_tissue_of_first_kind(const anatomy::TissueProperties& tissue, std::string& text) {
   const anatomy::LayeredTissue& p = tissue.layered;
   text += fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", tissue.id, tissue.name,

@@ -11,11 +11,11 @@ class Database;
 
 namespace bodkin::session {
 
-// The table `changes` of a session file, which only a session has whose numbers were changed while it ran.
+// The table `changes` of a session file, only in a session whose numbers were changed while it ran.
 
 // Throws SQLite::Exception.
 void append_change(SQLite::Database& database, const NumberChange& change);
-// In the order of their ticks; none where there is no such table. `file`: how messages begin. Throws InputError and
+// In the order of their ticks; none if the table does not exist. `file`: prefix of messages. Throws InputError and
 // SQLite::Exception.
 std::vector<NumberChange> read_changes(SQLite::Database& database, const std::string& file);
 

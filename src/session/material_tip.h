@@ -8,17 +8,17 @@
 
 namespace bodkin::session {
 
-// Where the needle of a recording is in the tissue of a patient who may breathe: from the ticks alone, as HapticTick
-// had it.
+// The position of a recorded needle in the tissue of a patient who may breathe: computed only from the ticks, as
+// HapticTick does.
 class MaterialTip {
  public:
   // `dt`: s.
   MaterialTip(const std::optional<anatomy::Breathing>& breathing, double dt);
 
-  // LPS mm, where the tissue at the tip lies while the patient has breathed out. Ticks in rising order; those that
-  // are missing count as the one after them. The tip itself where nobody breathes.
+  // LPS mm, position after expiration of the tissue at the tip. Ticks in ascending order; a missing tick is treated
+  // like the one after it. The tip itself without breathing.
   Vec3 place_of(const simulation::TickRecord& record);
-  // How far breath is drawn in, 0 to 1, as of the last place_of().
+  // Depth of inspiration, 0 to 1, as of the last place_of().
   double drawn_in() const { return clock_ ? clock_->drawn_in() : 0.0; }
 
  private:

@@ -22,7 +22,7 @@ std::vector<anatomy::TissueProperties> changed_tissues(const std::vector<anatomy
     const anatomy::TissueProperties* const was = before.find(tissue.id);
     if (was == nullptr || text(*was) != text(tissue)) changed.push_back(tissue);
   }
-  // A library has air.
+  // A library contains air.
   const auto is_air = [](const anatomy::TissueProperties& tissue) { return tissue.id == anatomy::tissue::air; };
   const anatomy::TissueProperties* const air = before.find(anatomy::tissue::air);
   if (!changed.empty() && air != nullptr && std::none_of(changed.begin(), changed.end(), is_air))

@@ -8,27 +8,27 @@
 
 namespace bodkin::session {
 
-// Other numbers of the force models in the middle of a session. From `tick` on the haptic tick is one with these
-// numbers that has gone through the inputs `from_tick` to `tick` - 1 before (simulation::ChangingTick).
+// A change of the force models' numbers during a session. From `tick` on the haptic tick is one with these numbers
+// that has processed the inputs `from_tick` to `tick` - 1 before (simulation::ChangingTick).
 struct NumberChange {
   std::uint64_t tick = 0, from_tick = 0;
   anatomy::HapticSettings haptics;
-  std::vector<anatomy::TissueProperties> tissues;  // those that differ from the case's, and then air
+  std::vector<anatomy::TissueProperties> tissues;  // those that differ from the case's, followed by air
 };
 
-// The tissues of `now` that are not as in `before`, and air, without which they are no library; or none.
+// The tissues of `now` that differ from those of `before`, and air, which every library needs; or none.
 std::vector<anatomy::TissueProperties> changed_tissues(const std::vector<anatomy::TissueProperties>& now,
                                                        const anatomy::TissueLibrary& before);
 
-// Gives the patient the numbers of the change.
+// Applies the numbers of the change to the patient.
 void apply(const NumberChange& change, anatomy::Case& patient);
 
-// As the session file keeps it.
+// In the format of the session file.
 struct NumberChangeTexts {
-  std::string haptics, tissues;  // XML; no tissue differs: empty
+  std::string haptics, tissues;  // XML; empty: no tissue differs
 };
 NumberChangeTexts texts_of(const NumberChange& change);
-// `origin`: how messages begin. Throws InputError.
+// `origin`: prefix of messages. Throws InputError.
 void read_texts(const NumberChangeTexts& texts, const std::string& origin, NumberChange& change);
 // XXH3 of place and texts.
 std::int64_t checksum_of(const NumberChange& change, const NumberChangeTexts& texts);

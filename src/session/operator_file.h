@@ -11,11 +11,11 @@ namespace bodkin::session {
 // Names of the operators that come with Bodkin (share/bodkin/operators), in alphabetical order. Throws SystemError.
 std::vector<std::string> shipped_operators();
 
-// The operator that `name` means: one who comes with Bodkin, such as "expert", or the path of an operator file
+// The operator named `name`: one that comes with Bodkin, such as "expert", or the path of an operator file
 // (docs/running.md describes the format). Throws InputError naming file, line, what was found and what was expected.
 simulation::OperatorScript load_operator(const std::string& name);
 
-// The same from text already in memory; `origin` names it in messages.
+// As above, from text in memory; `origin` names it in messages.
 simulation::OperatorScript parse_operator(std::string_view text, const std::string& origin);
 
 // Every parameter of a script as one JSON object, units in the keys.

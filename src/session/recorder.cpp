@@ -38,10 +38,10 @@ void Recorder::follow(std::shared_ptr<BodyLog> body) {
   followed_ = std::move(body);
 }
 
-void Recorder::take_body() {
+void Recorder::drain_body_log() {
   if (!body_) return;
-  BodyTaken taken;
-  while (body_->taken.pop(taken)) writer_.append(taken);
+  AppliedBodyStep applied;
+  while (body_->applied_steps.pop(applied)) writer_.append(applied);
   fem::BodyStep step;
   while (body_->steps->pop(step)) writer_.append(step);
 }
@@ -79,15 +79,15 @@ void Recorder::work() {
     auto saved = std::chrono::steady_clock::now();
     for (bool last = false; !last;) {
       take_notes();
-      // Asked before the ring is emptied: whatever was pushed before the request is still taken.
+      // Checked before the ring is emptied: everything pushed before the request is still recorded.
       last = stopping_.load(std::memory_order_acquire);
       while (ring_.pop(record)) {
-        take_body();  // before the chunk of the tick is saved that met it
+        drain_body_log();  // before the chunk with the tick is saved
         writer_.append(record);
         if (observer_) observer_(record);
       }
       take_samples();
-      take_body();
+      drain_body_log();
       take_notes();
       const auto now = std::chrono::steady_clock::now();
       if (now - saved >= save_interval) {

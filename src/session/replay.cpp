@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "session/body_displacement.h"
 #include "session/case_digest.h"
-#include "session/moved_body.h"
 #include "session/session_run.h"
 #include "session/session_schema.h"
 #include "session/tick_codec.h"
@@ -40,8 +40,8 @@ std::string events_text(std::span<const forces::Event> events) {
   return text.empty() ? "none" : text;
 }
 
-// Whether the recording has the diagnostics that the tick publishes, which is so unless a later version of a model
-// publishes others.
+// Whether the recording has the diagnostics that the tick publishes: true unless a later version of a model publishes
+// others.
 bool has_same_diagnostics(const SessionHeader& header, std::span<const forces::DiagnosticName> names) {
   return std::equal(header.diagnostics.begin(), header.diagnostics.end(), names.begin(), names.end(),
                     [](const RecordedDiagnostic& recorded, const forces::DiagnosticName& name) {
@@ -55,9 +55,9 @@ std::vector<std::uint8_t> events_bytes(std::span<const forces::Event> events) {
   return bytes;
 }
 
-// Until version 2 the force models told themselves when resistance was lost, some of them never and each by a rule of
-// its own; the simulation's rule (simulation/loss_of_resistance.h) says something else about the same forces.
-// Whether a tracked hand is seen the tick does not know, nor that a body on another thread has failed.
+// Until version 2 the force models reported a loss of resistance themselves, some never and each by its own rule; the
+// simulation's rule (simulation/loss_of_resistance.h) gives other results for the same forces. The tick knows neither
+// whether a tracked hand is seen, nor that a body on another thread has failed.
 bool is_compared(const forces::Event& event, const Session& session) {
   if (event.kind == forces::EventKind::hand_lost || event.kind == forces::EventKind::hand_seen ||
       event.kind == forces::EventKind::moving_body_failed)
@@ -65,7 +65,7 @@ bool is_compared(const forces::Event& event, const Session& session) {
   return session.version >= 3 || event.kind != forces::EventKind::loss_of_resistance;
 }
 
-// What differs between two ticks that are not equal.
+// The fields that differ between two unequal ticks.
 ReplayDifference difference_of(const simulation::TickRecord& recorded, const simulation::TickRecord& recomputed,
                                double dt, std::span<const forces::DiagnosticName> names) {
   ReplayDifference difference{recorded.tick, static_cast<double>(recorded.tick) * dt, {}, {}, {}};
@@ -98,12 +98,12 @@ ReplayDifference difference_of(const simulation::TickRecord& recorded, const sim
   return difference;
 }
 
-// The contact points of the needle's own lines: as many are there in each tick as in the recording.
-class PointsTaken {
+// The contact points of the needle's own lines: as many in each tick as in the recording.
+class RecordedPoints {
  public:
   // Before the first tick.
-  PointsTaken(const Session& session, const anatomy::Case& patient, const fem::BodyDescription* body,
-              simulation::BodyPort* port)
+  RecordedPoints(const Session& session, const anatomy::Case& patient, const fem::BodyDescription* body,
+                 simulation::BodyPort* port)
       : port_(port) {
     const bool own_lines = std::any_of(session.events.begin(), session.events.end(), [](const SessionEvent& event) {
       return event.event.kind == forces::EventKind::points_taken ||
@@ -126,12 +126,12 @@ class PointsTaken {
   void prepare_for(std::span<const forces::Event> events) {
     if (stream_ == nullptr) return;
     for (const forces::Event& event : events) {
-      if (event.kind == forces::EventKind::points_taken) port_->take_points(event.value);
-      if (event.kind == forces::EventKind::points_coupled) port_->take_coupling();
+      if (event.kind == forces::EventKind::points_taken) port_->set_recorded_points(event.value);
+      if (event.kind == forces::EventKind::points_coupled) port_->set_recorded_coupling();
     }
   }
 
-  // Why points are missing, one sentence; empty: none are.
+  // Why points are missing, one sentence; empty: none are missing.
   std::string failure() {
     const std::vector<std::string> failures =
         stream_ == nullptr ? std::vector<std::string>() : stream_->take_failures();
@@ -144,26 +144,26 @@ class PointsTaken {
   std::unique_ptr<fem::ContactStream> stream_;
 };
 
-// The ticks with other numbers that took over while the session ran, made in time for theirs.
-class NumbersTaken {
+// The ticks with other numbers that took over during the session, created in time for their takeover.
+class RecordedChanges {
  public:
-  NumbersTaken(const Session& session, const anatomy::Case& patient, simulation::HapticTick& first)
-      : session_(session), patient_(patient), body_(first.body()), felt_(first), next_(session.changes.begin()) {}
+  RecordedChanges(const Session& session, const anatomy::Case& patient, simulation::HapticTick& first)
+      : session_(session), patient_(patient), body_(first.body()), current_(first), next_(session.changes.begin()) {}
 
   simulation::TickOutput step(const simulation::TickRecord& recorded) {
-    if (next_ != session_.changes.end() && next_->tick == recorded.tick) take(*next_++);
-    return felt_.step(recorded.input);
+    if (next_ != session_.changes.end() && next_->tick == recorded.tick) apply_change(*next_++);
+    return current_.step(recorded.input);
   }
 
  private:
-  anatomy::BreathMoment breath_before(std::uint64_t tick) const {
+  anatomy::BreathState breath_before(std::uint64_t tick) const {
     if (!patient_.description.breathing) return {};
     anatomy::BreathClock clock(*patient_.description.breathing, session_.header.dt);
     for (std::uint64_t each = 0; each < tick; ++each) clock.step(session_.ticks[each].input.other.breath_held);
     return clock.moment();
   }
-  struct Made {
-    Made(const anatomy::Case& from, const NumberChange& change) : patient(with(from, change)), tick(patient) {}
+  struct ChangedTick {
+    ChangedTick(const anatomy::Case& from, const NumberChange& change) : patient(with(from, change)), tick(patient) {}
     static anatomy::Case with(anatomy::Case patient, const NumberChange& change) {
       apply(change, patient);
       return patient;
@@ -172,7 +172,7 @@ class NumbersTaken {
     simulation::HapticTick tick;
   };
 
-  void take(const NumberChange& change) {
+  void apply_change(const NumberChange& change) {
     if (body_ != nullptr) {
       anatomy::Case with;
       with.description = patient_.description;
@@ -180,11 +180,11 @@ class NumbersTaken {
       apply(change, with);
       return body_->change_numbers(simulation::contact_numbers(with));
     }
-    auto made = std::make_unique<Made>(patient_, change);
+    auto made = std::make_unique<ChangedTick>(patient_, change);
     made->tick.set_breath(breath_before(change.from_tick));
     for (std::uint64_t tick = change.from_tick; tick < change.tick; ++tick)
       made->tick.step(session_.ticks[tick].input);
-    if (!felt_.take(made->tick)) {
+    if (!current_.switch_to(made->tick)) {
       throw InputError(
           fmt::format("the session changes its numbers at tick {} while those before still settle; the recording is "
                       "damaged",
@@ -196,9 +196,9 @@ class NumbersTaken {
   const Session& session_;
   const anatomy::Case& patient_;
   simulation::BodyPort* body_;  // null: a rigid patient
-  simulation::ChangingTick felt_;
+  simulation::ChangingTick current_;
   std::vector<NumberChange>::const_iterator next_;
-  std::unique_ptr<Made> now_, before_;  // the latter fades
+  std::unique_ptr<ChangedTick> now_, before_;  // the latter fades
 };
 
 // The equations of the body are those of the session, since check_same_case() has compared the case.
@@ -247,12 +247,12 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
   result.body_difference = body_difference(session, patient);
   std::vector<std::uint8_t> was, is, all_events;
   std::uint64_t chain = 0;
-  MovedBody moved(session, body, haptics.body());
-  PointsTaken points(session, patient, body, haptics.body());
+  BodyDisplacement moved(session, body, haptics.body());
+  RecordedPoints points(session, patient, body, haptics.body());
   const std::span<const forces::DiagnosticName> published = haptics.diagnostic_names();
   const auto names = has_same_diagnostics(session.header, published) ? published : published.first(0);
   auto event = session.events.begin();
-  NumbersTaken numbers(session, patient, haptics);
+  RecordedChanges changes(session, patient, haptics);
   for (const simulation::TickRecord& recorded : session.ticks) {
     if (recorded.tick != result.ticks) {
       throw InputError(
@@ -264,7 +264,7 @@ ReplayResult replay_session(const Session& session, anatomy::Case patient, const
     points.prepare_for(recorded_events);
     moved.prepare_for(recorded.tick);
     if (result.body_difference.empty()) result.body_difference = moved.difference();
-    simulation::TickRecord recomputed{recorded.tick, recorded.input, numbers.step(recorded)};
+    simulation::TickRecord recomputed{recorded.tick, recorded.input, changes.step(recorded)};
     was.clear();
     is.clear();
     encode_tick(recorded, was);

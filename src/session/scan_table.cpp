@@ -13,7 +13,7 @@ namespace bodkin::session {
 
 namespace {
 
-constexpr std::size_t scan_numbers = 21;    // columns of `scans` after its first one
+constexpr std::size_t scan_numbers = 21;    // columns of `scans` after the first
 constexpr std::size_t most_parts = 70'000;  // more than a segmentation has labels
 constexpr std::size_t longest_name = 1000;  // bytes
 

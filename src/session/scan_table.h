@@ -16,14 +16,14 @@ class Statement;
 
 namespace bodkin::session {
 
-// The tables `scans` and `scanned` of a session file: what its ultrasound machine did.
+// The tables `scans` and `scanned` of a session file: the settings and findings of its ultrasound machine.
 class ScanTables {
  public:
-  // Throws SQLite::Exception, as all below. `database` must outlive the object.
+  // Throws SQLite::Exception, as all functions below. `database` must outlive the object.
   explicit ScanTables(SQLite::Database& database);
   ~ScanTables();
 
-  // Kept until put(). Times of samples rise strictly; more samples than a session may have are left out.
+  // Buffered until put(). Times of samples must ascend strictly; samples beyond the limit of a session are dropped.
   void add(const ScanSample& sample);
   // Each part once.
   void add(const ScannedPart& part);
@@ -31,7 +31,7 @@ class ScanTables {
   // Inside the caller's transaction.
   void put();
   std::uint64_t samples() const noexcept { return total_; }  // put so far
-  // Lets go of the database.
+  // Releases the database.
   void close();
 
  private:
@@ -41,8 +41,8 @@ class ScanTables {
   std::uint64_t total_ = 0;
 };
 
-// In the order of their times. `probe`: of the header; null: there was no machine, so that there may be no row.
-// `file`: how messages begin. Throws InputError for rows that no writer makes, and SQLite::Exception.
+// In the order of their times. `probe`: of the header; null: no machine, so that rows are invalid. `file`: prefix of
+// messages. Throws InputError for invalid rows, and SQLite::Exception.
 std::vector<ScanSample> read_scans(SQLite::Database& database, const std::string& file,
                                    const anatomy::UltrasoundProbe* probe);
 std::vector<ScannedPart> read_scanned(SQLite::Database& database, const std::string& file,

@@ -10,7 +10,7 @@ namespace bodkin::session {
 
 namespace {
 
-// What no second hand exceeds.
+// Limits that no second hand exceeds.
 constexpr double strongest = 1e4;          // N
 constexpr double lowest_pressure = -0.2;   // MPa gauge
 constexpr double highest_pressure = 10.0;  // MPa

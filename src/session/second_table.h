@@ -12,9 +12,9 @@ class Database;
 
 namespace bodkin::session {
 
-// The table `second_hand` of a session file, in the order of its samples. `second`: of the header; nothing: there was
-// no second hand, so that there may be no row. `file`: how messages begin. Throws InputError for rows that no writer
-// makes, and SQLite::Exception.
+// The table `second_hand` of a session file, in the order of its samples. `second`: of the header; empty: no second
+// hand, so that rows are invalid. `file`: prefix of messages. Throws InputError for invalid rows, and
+// SQLite::Exception.
 std::vector<SecondSample> read_second_hand(SQLite::Database& database, const std::string& file,
                                            const std::optional<SecondHeader>& second);
 

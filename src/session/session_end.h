@@ -4,7 +4,7 @@
 
 namespace bodkin::session {
 
-// Whether a session file says that its recording ended on purpose, without reading its ticks. False: the recording
+// Whether a session file states that its recording ended on purpose, without reading its ticks. False: the recording
 // process died, or still runs. Throws InputError as read_session() does.
 bool is_finished(const std::filesystem::path& file);
 

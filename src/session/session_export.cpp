@@ -9,7 +9,7 @@ namespace bodkin::session {
 
 namespace {
 
-constexpr std::size_t piece = 1 << 20;  // bytes handed on at once
+constexpr std::size_t piece = 1 << 20;  // bytes passed on at once
 
 constexpr std::string_view tick_columns =
     "tick,time_s,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,depth_mm,velocity_mm_per_s,resistance_N,constraint_"
@@ -20,7 +20,7 @@ constexpr std::string_view tick_columns =
     "applied_torque_x_N_mm,applied_torque_y_N_mm,applied_torque_z_N_mm,"
     "tissue,in_contact,limits";
 
-// A field of RFC 4180: in quotes where it has to be.
+// A field of RFC 4180: in quotes if necessary.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -66,12 +66,12 @@ std::vector<std::pair<std::string, std::string>> header_rows(const SessionHeader
   if (!header.body_points.empty()) rows.emplace_back("body_points", header.body_points);
   if (!header.recording_id.empty()) rows.emplace_back("recording_id", header.recording_id);
   if (!header.diagnostics.empty()) rows.emplace_back("diagnostics", lines_of(header.diagnostics));
-  // In the order of the keys, in which the checksum takes them.
+  // In the order of the keys, as in the checksum.
   std::sort(rows.begin(), rows.end());
   return rows;
 }
 
-// SQLite's files of a database; its log belongs to it by its name.
+// SQLite's files of a database; its log is found by name.
 constexpr std::array<const char*, 4> file_endings = {"", "-wal", "-shm", "-journal"};
 
 void remove_session(const fs::path& file) noexcept {
@@ -89,17 +89,17 @@ void rename_session(const fs::path& from, const fs::path& to) {
 }
 
 // The file of a new session. An older session of that name is renamed until the new one can be read, and gets its
-// name back when the new one could not be created.
-class NewPlace {
+// name back if the new one could not be created.
+class NewSessionFile {
  public:
-  NewPlace(const fs::path& file, bool exists) : file_(file), aside_(file.string() + ".replaced") {
+  NewSessionFile(const fs::path& file, bool exists) : file_(file), aside_(file.string() + ".replaced") {
     if (exists) {
       rename_session(file_, aside_);
       is_aside_ = true;
     }
     remove_session(file_);  // a log without its database would be taken for a part of the new file
   }
-  ~NewPlace() {
+  ~NewSessionFile() {
     if (stands_) {
       if (is_aside_) remove_session(aside_);
       return;
@@ -108,11 +108,11 @@ class NewPlace {
     try {
       if (is_aside_) rename_session(aside_, file_);
     } catch (const fs::filesystem_error&) {
-      // The older session keeps its new name: nothing is lost, and a destructor can do no more.
+      // The older session keeps its new name: nothing is lost, and a destructor cannot report an error.
     }
   }
-  NewPlace(const NewPlace&) = delete;
-  NewPlace& operator=(const NewPlace&) = delete;
+  NewSessionFile(const NewSessionFile&) = delete;
+  NewSessionFile& operator=(const NewSessionFile&) = delete;
 
   void keep() noexcept { stands_ = true; }
 
@@ -131,12 +131,12 @@ struct SessionWriter::Impl {
   void put_samples();
   void put_header(const std::string& key, const std::string& value);
   void put_timings(const SessionTimings& timings);
-  // What a failure of the database means for the person at the terminal.
+  // The meaning of a database failure for the person at the terminal.
   [[noreturn]] void fail(const SQLite::Exception& error) const {
-    throw SystemError(fmt::format(
-        "cannot write the session {}: {}; what was recorded until then is safe, free space on its disk before "
-        "you go on",
-        file.string(), error.what()));
+    throw SystemError(
+        fmt::format("cannot write the session {}: {}; what was recorded until then is safe, free space on its disk "
+                    "before you continue",
+                    file.string(), error.what()));
   }
 
   fs::path file;
@@ -170,10 +170,10 @@ SessionWriter::Impl::Impl(const fs::path& path, const SessionHeader& header)
       diagnostic_count(std::min(header.diagnostics.size(), forces::most_diagnostics)),
       has_second(header.second.has_value()) {
   database.exec(fmt::format("PRAGMA page_size={}", page_size));
-  database.exec("PRAGMA synchronous=OFF");  // an empty session is worth no waiting for the disk
+  database.exec("PRAGMA synchronous=OFF");  // an empty session is not worth waiting for the disk
   {
     SQLite::Transaction transaction(database);
-    // In the main file before the log begins, so that a reader knows the file by its first bytes at any time.
+    // In the main file before the log begins, so that a reader recognises the file by its first bytes at any time.
     database.exec(fmt::format("PRAGMA application_id={}", session_schema::application_id));
     database.exec(fmt::format("PRAGMA user_version={}", session_schema::version));
     for (const auto& table : session_schema::tables) database.exec(table.sql);
@@ -313,7 +313,7 @@ SessionWriter::SessionWriter(const fs::path& file, const SessionHeader& header, 
     throw InputError(fmt::format("{} is not a file that a session could replace", file.string()));
   }
   try {
-    NewPlace place(file, exists);
+    NewSessionFile place(file, exists);
     impl_ = std::make_unique<Impl>(file, header);
     place.keep();
   } catch (const SQLite::Exception& error) {
@@ -329,7 +329,7 @@ SessionWriter::~SessionWriter() {
   try {
     impl_->flush();
   } catch (const SQLite::Exception&) {
-    // Nothing more can be saved here and a destructor cannot report it; commit() and finish() report errors.
+    // Nothing more can be saved here, and a destructor cannot report errors; commit() and finish() do.
   }
 }
 
@@ -368,8 +368,8 @@ void SessionWriter::append(const fem::BodyStep& step) {
   if (impl_->body != nullptr) impl_->body->add(step);
 }
 
-void SessionWriter::append(const BodyTaken& taken) {
-  if (impl_->body != nullptr) impl_->body->add(taken);
+void SessionWriter::append(const AppliedBodyStep& applied) {
+  if (impl_->body != nullptr) impl_->body->add(applied);
 }
 
 void SessionWriter::append(const NumberChange& change) {
@@ -404,7 +404,7 @@ void SessionWriter::finish(const std::optional<SessionTimings>& timings) {
     impl_->insert_diagnostics.reset();
     impl_->insert_event.reset();
     impl_->insert_sample.reset();
-    // Back to a single file: the log is carried over and removed.
+    // Back to a single file: the log is merged and removed.
     impl_->database.exec("PRAGMA journal_mode=DELETE");
     impl_->finished = true;
   } catch (const SQLite::Exception& error) {

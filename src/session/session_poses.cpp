@@ -27,7 +27,7 @@ Pose with_other_axes(Pose pose) {
   return pose;
 }
 
-// From a tool whose third axis leaves its tip to the frame of a probe, and back.
+// From a tool whose third axis points out of its tip to the frame of a probe, and back.
 Pose probe_of_tool(const Pose& tool) {
   Pose probe = tool;
   probe.linear().col(1) = tool.linear().col(2);

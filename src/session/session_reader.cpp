@@ -39,7 +39,7 @@ constexpr int busy_timeout = 3000;       // ms, for a session that is still bein
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53;
 constexpr std::size_t most_header_rows = 64;
 
-// Keys that are written when a session ends, which the header's checksum cannot know.
+// Keys written at the end of a session, which the header's checksum cannot cover.
 bool is_written_last(const std::string& key) {
   return key == "checksum" || key == "finished_after_ticks" || key == "second_samples" || key == "scan_samples";
 }
@@ -64,7 +64,7 @@ class Reader {
   void read_diagnostics(SQLite::Database& database, Session& session) const;
   void read_hands(SQLite::Database& database, Session& session) const;
   void read_timings(SQLite::Database& database, Session& session) const;
-  // A text of the header, which must be there.
+  // A required text of the header.
   const std::string& text(const std::string& key) const;
   template <typename Number>
   Number number(const std::string& key) const;
@@ -97,7 +97,7 @@ void Reader::check_first_bytes() {
   if (big_endian(&raw[68]) != static_cast<std::uint32_t>(session_schema::application_id)) {
     fail("this is a database of another program, not a session");
   }
-  // Without a write-ahead log the file must be as long as it says; with one, the rest may still be in the log.
+  // Without a write-ahead log the file must have the stated length; with one, the rest may still be in the log.
   const std::uint64_t page = raw[16] == 0 && raw[17] == 1 ? 65536 : std::uint64_t{raw[16]} << 8 | raw[17];
   const bool has_log =
       fs::exists(file_.string() + "-wal", error) && fs::file_size(file_.string() + "-wal", error) > 0;
@@ -113,7 +113,7 @@ void Reader::check_first_bytes() {
   version_ = static_cast<int>(version);
 }
 
-// The file may come from anywhere: nothing in it may run, and nothing may take for ever.
+// The file may come from anywhere: nothing in it may be executed or take for ever.
 void Reader::restrict_database(SQLite::Database& database) {
   sqlite3* handle = database.getHandle();
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -339,7 +339,7 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
     simulation::TickRecord& record = session.ticks.emplace_back();
     record.tick = first_tick + tick;
     if (!decode_tick(data.subspan(tick * tick_size, tick_size), record)) {
-      fail(fmt::format("tick {} holds a value that no tick has", record.tick));
+      fail(fmt::format("tick {} holds an invalid value", record.tick));
     }
   }
   std::span<const std::uint8_t> rest = data.subspan(ticks * tick_size);
@@ -349,7 +349,7 @@ void Reader::read_chunk(std::uint64_t first_tick, std::uint32_t ticks, std::uint
     std::uint32_t tick_of_chunk = 0;
     const bool valid = decode_event(rest.first(encoded_event_size), tick_of_chunk, found.event);
     if (!valid || tick_of_chunk >= ticks || tick_of_chunk < earlier) {
-      fail(fmt::format("an event of the chunk at tick {} is not one", first_tick));
+      fail(fmt::format("an event of the chunk at tick {} is invalid", first_tick));
     }
     earlier = tick_of_chunk;
     found.tick = first_tick + tick_of_chunk;
@@ -397,7 +397,7 @@ Session Reader::read() {
   try {
     SQLite::Database database(file_.string(), SQLite::OPEN_READONLY, busy_timeout);
     restrict_database(database);
-    // One transaction: a session that is still being written is seen as it is at this moment.
+    // One transaction: a consistent snapshot of a session that is still being written.
     SQLite::Transaction moment(database);
     check_schema(database);
     read_header(database, session);
@@ -407,7 +407,7 @@ Session Reader::read() {
     if (version_ >= session_schema::with_volumes) session.header.volumes = read_volumes(database, file_.string());
     session.changes = read_changes(database, file_.string());
     session.body_steps = read_body_steps(database, file_.string());
-    session.body_taken = read_body_taken(database, file_.string());
+    session.applied_body_steps = read_applied_body_steps(database, file_.string());
     read_timings(database, session);
   } catch (const SQLite::Exception& error) {
     fail(fmt::format("the file is damaged ({})", error.what()));

@@ -26,8 +26,7 @@ namespace {
 
 constexpr std::uint64_t show_interval = 512;  // ticks
 
-// The points of the needle's own lines; nothing where the body is not there or has none. Only on the clock they may
-// come late.
+// The points of the needle's own lines; nothing without a body or points. Only on the clock may they be late.
 std::unique_ptr<fem::ContactStream> points_of(const anatomy::Case& patient, const RunSettings& settings,
                                               simulation::BodyPort* port) {
   if (settings.whole_body == nullptr || port == nullptr) return {};
@@ -36,7 +35,7 @@ std::unique_ptr<fem::ContactStream> points_of(const anatomy::Case& patient, cons
                                  port->stream_points(settings.realtime ? Timing::as_known : Timing::in_time));
 }
 
-// One run of the loop, told apart by what drives it: the processor's speed or the clock.
+// One run of the loop, driven by the processor's speed or by the clock.
 class Run {
  public:
   Run(const anatomy::Case& patient, const SessionHeader& header, const RunSettings& settings,
@@ -48,7 +47,7 @@ class Run {
         stream_(points_of(patient, settings, loop_.body())),
         most_ticks_(static_cast<std::uint64_t>(settings.longest / header.dt)) {}
 
-  // The present phase while there is one, the last one afterwards.
+  // The present phase, or the last one afterwards.
   int last_phase() const { return last_phase_; }
 
   RunResult perform() {
@@ -67,11 +66,11 @@ class Run {
   }
 
  private:
-  bool gives_up() {
-    result_.given_up = settings_.gives_up && settings_.gives_up();
-    return result_.given_up;
+  bool is_cancelled() {
+    result_.cancelled = settings_.cancelled && settings_.cancelled();
+    return result_.cancelled;
   }
-  bool is_over() { return result_.completed || loop_.finished() || gives_up(); }
+  bool is_over() { return result_.completed || loop_.finished() || is_cancelled(); }
   void note_completion(const simulation::TickRecord& record) noexcept {
     if (is_touched(record.output, settings_.ending)) result_.completed = record.output.depth;
   }
@@ -127,7 +126,7 @@ class Run {
     if (phase != simulation::OperatorCondition::end) last_phase_ = phase;
   }
 
-  // On the clock a person watches each phase; at full speed they fly by.
+  // On the clock a person can watch each phase; at full speed they pass too fast.
   void show(int phase) const {
     if (!progress_ || phase == simulation::OperatorCondition::end) return;
     const auto& phases = settings_.script.phases;

@@ -17,7 +17,7 @@ void refuse_session(const std::string& file, const std::string& fault) {
 
 std::int64_t chunk_checksum(std::uint64_t first_tick, std::uint32_t ticks, std::uint32_t events,
                             std::span<const std::uint8_t> data) {
-  // The place enters through the seed, so that chunks cannot change places unnoticed.
+  // The position is in the seed, so that exchanged chunks are detected.
   const std::uint64_t place = first_tick * 0x9E3779B97F4A7C15ULL + (std::uint64_t{ticks} << 32) + events;
   return std::bit_cast<std::int64_t>(
       static_cast<std::uint64_t>(XXH3_64bits_withSeed(data.data(), data.size(), place)));

@@ -7,22 +7,22 @@
 
 namespace bodkin::session {
 
-// The shape of a session file, version 5; docs/session-format.md explains it to people.
+// The schema of a session file, version 5; docs/session-format.md explains it.
 namespace session_schema {
 
 inline constexpr std::int32_t application_id = 0x42444B4E;  // "BDKN"
 inline constexpr std::int32_t version = 5;
 inline constexpr std::int32_t oldest_version = 2;
-inline constexpr std::int32_t with_diagnostics = 3;  // the first one that has the table `diagnostics`
-inline constexpr std::int32_t with_scans = 4;        // the first one that has `scans` and `scanned`
-inline constexpr std::int32_t with_volumes = 5;      // the first one that has `volumes`
+inline constexpr std::int32_t with_diagnostics = 3;  // the first one with the table `diagnostics`
+inline constexpr std::int32_t with_scans = 4;        // the first one with `scans` and `scanned`
+inline constexpr std::int32_t with_volumes = 5;      // the first one with `volumes`
 
 struct Table {
   const char* name;
   const char* sql;
 };
 
-// The authority is all of them but `events`, which repeats the events of the chunks for those who ask in SQL.
+// All of them are authoritative except `events`, which repeats the events of the chunks for SQL queries.
 inline constexpr std::array<Table, 10> tables = {{
     {"header", "CREATE TABLE header(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
     {"tissues", "CREATE TABLE tissues(id INTEGER PRIMARY KEY, name TEXT NOT NULL, title TEXT NOT NULL)"},
@@ -62,7 +62,7 @@ inline constexpr Table changes = {
     "CREATE TABLE changes(tick INTEGER PRIMARY KEY, from_tick INTEGER NOT NULL, haptics TEXT NOT NULL, tissues TEXT "
     "NOT NULL, checksum INTEGER NOT NULL)"};
 
-// Only in a session whose body moved by itself.
+// Only in a session whose body moved on its own.
 inline constexpr std::array<Table, 2> moving_body = {{
     {"body_steps",
      "CREATE TABLE body_steps(step INTEGER PRIMARY KEY, probe BLOB, digest INTEGER NOT NULL, checksum INTEGER NOT "
@@ -78,12 +78,12 @@ inline constexpr std::uint64_t most_second_samples = 1'000'000;  // almost three
 
 }  // namespace session_schema
 
-// What no tool in a hand exceeds.
+// Limits that no tool in a hand exceeds.
 inline constexpr double last_time = 1e6;        // s
 inline constexpr double furthest = 1e5;         // mm
 inline constexpr double unit_tolerance = 1e-6;  // of a rotation's length
 
-// Throws the InputError about a file that is no session, or a damaged one: `fault` says why.
+// Throws the InputError about an invalid or damaged session file: `fault` gives the reason.
 [[noreturn]] void refuse_session(const std::string& file, const std::string& fault);
 
 // XXH3 (64 bits) over the place and the content of a chunk, as SQLite stores integers.

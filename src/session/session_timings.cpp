@@ -11,7 +11,7 @@ std::vector<TimeBin> bins_of(const haptics::LatencyHistogram& histogram) {
   std::vector<TimeBin> bins;
   for (std::size_t bin = 0; bin < haptics::LatencyHistogram::bins; ++bin) {
     if (histogram.count_in(bin) == 0) continue;
-    // A reading that is no number counts as longer than everything, and has no length.
+    // A reading that is not a number counts as the longest, and has no length.
     const double up_to = std::min(haptics::LatencyHistogram::upper_edge(bin), histogram.maximum());
     bins.push_back({bins.empty() ? up_to : std::max(up_to, bins.back().up_to), histogram.count_in(bin)});
   }

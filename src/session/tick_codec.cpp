@@ -52,7 +52,7 @@ struct EarlierKind {
   std::string_view name;
   forces::EventKind kind;
 };
-// What versions 0.1 and 0.2 wrote into CSV and JSON files.
+// The format of CSV and JSON files of versions 0.1 and 0.2.
 constexpr std::array<EarlierKind, 3> earlier_kinds = {{{"corridor_left", forces::EventKind::points_passed},
                                                        {"corridor_taken", forces::EventKind::line_taken},
                                                        {"corridor_refreshed", forces::EventKind::moving_body_met}}};
@@ -98,7 +98,7 @@ double take_double(const std::uint8_t* bytes) {
 
 constexpr double felt_step = 0.01;  // N
 
-// What the hand felt at a puncture, in steps; 0: not known.
+// The force at the hand at a puncture, in steps; 0: not known.
 std::uint64_t felt_steps(const forces::Event& event) {
   if (event.kind != forces::EventKind::puncture || !(event.felt > 0.0)) return 0;
   return static_cast<std::uint64_t>(std::min(std::round(event.felt / felt_step), 65535.0));

@@ -12,21 +12,20 @@
 
 namespace bodkin::session {
 
-// The numbers of a tick, in the order in which a recording keeps them, with their names. Columns 0 to 11 are the
-// input: the rotation of the needle's pose, column by column, then its tip. The rest is what the tick found.
+// The numbers of a tick, in the order of a recording, with their names. Columns 0 to 11 are the input: the rotation
+// of the needle's pose, column by column, then its tip. The rest is the result of the tick.
 std::span<const std::string_view> tick_number_names();
 
 // The numbers of a record, in the order of tick_number_names().
 void tick_numbers(const simulation::TickRecord& record, std::vector<double>& numbers);
 
-// The bytes of one tick: every number as an IEEE 754 double, little-endian, bit for bit; then tissue, contact and
-// limits and thumb as one byte each.
+// The number of bytes of one tick: every number as an IEEE 754 double, little-endian, bit for bit; then tissue,
+// contact and limits and thumb as one byte each.
 std::size_t encoded_tick_size();
 
 // Appends the bytes of a tick; its tick number and its events are not part of them.
 void encode_tick(const simulation::TickRecord& record, std::vector<std::uint8_t>& bytes);
-// Reads what encode_tick wrote. `bytes` holds encoded_tick_size() of them. False when a byte has a value it cannot
-// have.
+// Reads the output of encode_tick. `bytes` holds encoded_tick_size() bytes. False when a byte has an invalid value.
 bool decode_tick(std::span<const std::uint8_t> bytes, simulation::TickRecord& record);
 
 // The first `count` diagnostics of a tick as doubles, 8 bytes each.
@@ -39,12 +38,12 @@ inline constexpr std::size_t encoded_event_size = 24;
 void encode_event(std::uint32_t tick_of_chunk, const forces::Event& event, std::vector<std::uint8_t>& bytes);
 bool decode_event(std::span<const std::uint8_t> bytes, std::uint32_t& tick_of_chunk, forces::Event& event);
 
-// As sessions and CSV files write the kind of an event: "puncture", "loss_of_resistance", ...
+// The name of the kind of an event in sessions and CSV files: "puncture", "loss_of_resistance", ...
 std::string_view event_kind_name(forces::EventKind kind);
-// The kind of that name, or of one that it had in an earlier version; nothing where no kind has it.
+// The kind of that name, or of its name in an earlier version; empty for an unknown name.
 std::optional<forces::EventKind> event_kind_of(std::string_view name);
-// Whether an event of this name comes only from a second hand: a finger that feels, stylet, manometer and fluid. Not
-// every patient has places for it.
+// Whether an event of this name comes only from a second hand: a palpating finger, stylet, manometer and fluid. Not
+// every patient has them.
 bool is_of_other_hand(std::string_view event) noexcept;
 
 }  // namespace bodkin::session

@@ -7,16 +7,16 @@ bool BodyGlide::touches(const HandSnapshot& needle) {
 }
 
 void BodyGlide::send(const Vec3& middle, const Mat3& rotation, haptics::ServoTick& servo) {
-  haptics::ServoCommand order;
-  order.kind = haptics::ServoCommand::Kind::move_body;
-  order.middle = middle;
-  order.rotation = rotation;
-  servo.command(order);
+  haptics::ServoCommand command;
+  command.kind = haptics::ServoCommand::Kind::move_body;
+  command.middle = middle;
+  command.rotation = rotation;
+  servo.command(command);
   place_->move_body(middle, rotation);
 }
 
-void BodyGlide::order(const Vec3& middle, const Mat3& rotation, double time, haptics::ServoTick& servo,
-                      const haptics::WorkspaceSettings& begin) {
+void BodyGlide::request(const Vec3& middle, const Mat3& rotation, double time, haptics::ServoTick& servo,
+                        const haptics::WorkspaceSettings& begin) {
   if (!place_) place_.emplace(begin);
   time_ = time;
   send(middle, rotation, servo);

@@ -9,21 +9,20 @@
 
 namespace bodkin::station {
 
-// Moves the body in the workspace of a running device (WorkspaceMap::move_body), and stops it where the needle
-// touches it: a needle that goes in meets a body that rests. Knows where the body is on its way by gliding itself, as
-// the servo does.
+// Moves the body in the workspace of a running device (WorkspaceMap::move_body), and stops it when the needle touches
+// it: an inserted needle meets a body at rest. Computes the body's present place by the same motion as the servo.
 class BodyGlide {
  public:
-  // The needle is in the body or touches it.
+  // Whether the needle is in the body or touches it.
   static bool touches(const HandSnapshot& needle);
 
-  // `time`: s, by any clock that goes on. `begin`: the workspace that the servo began with.
-  void order(const Vec3& middle, const Mat3& rotation, double time, haptics::ServoTick& servo,
-             const haptics::WorkspaceSettings& begin);
-  // Every few milliseconds.
+  // `time`: s, of any monotonic clock. `begin`: the servo's initial workspace.
+  void request(const Vec3& middle, const Mat3& rotation, double time, haptics::ServoTick& servo,
+               const haptics::WorkspaceSettings& begin);
+  // To be called every few milliseconds.
   void follow(const HandSnapshot& needle, double time, haptics::ServoTick& servo);
 
-  // On its way, or at its end; nothing: it was never moved.
+  // The present place, during the motion or after it; empty: it was never moved.
   const std::optional<haptics::WorkspaceMap>& place() const { return place_; }
 
  private:

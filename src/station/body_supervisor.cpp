@@ -22,7 +22,7 @@ std::string slow_motion_warning(std::size_t nodes) {
   const double step = step_time_per_node * static_cast<double>(nodes);
   if (step <= body_step_time) return {};
   return fmt::format(
-      "the mesh has {} nodes, of which a step of the moving body takes about {:.0f} ms, and 60 steps a second leave "
+      "with {} nodes in the mesh a step of the moving body takes about {:.0f} ms, but 60 steps a second allow only "
       "{:.1f} ms: it will move in slow motion; a mesh of {:.0f} nodes keeps up",
       nodes, 1e3 * step, 1e3 * body_step_time, 1e3 * std::floor(1e-3 * body_step_time / step_time_per_node));
 }
@@ -66,7 +66,7 @@ std::vector<std::string> BodySupervisor::summary(double time) const {
   if (moving_ == nullptr) return sentences;
   if (most_probe_nodes_ == 0) {
     sentences.emplace_back(
-        "the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh is fine; "
+        "the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh's elements; "
         "give --body \"moving thickness_mm=30\", or make a finer mesh");
   }
   const double rate = static_cast<double>(steps_) / time;

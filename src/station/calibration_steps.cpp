@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::chrono::milliseconds step_interval{10};
 constexpr double lift = 25.0;            // mm by which the handle is lifted while it is weighed
-constexpr double glide_of_handle = 2.5;  // s for that and for the swinging to end
-constexpr double draw = 15.0;            // mm by which it is drawn to the right and away
+constexpr double glide_of_handle = 2.5;  // s for that and until the swinging ends
+constexpr double draw = 15.0;            // mm by which it is moved to the right and away
 constexpr double glide_of_draw = 2.0;    // s
-constexpr double rest_time = 1.0;        // s over which the force is taken
-constexpr double arming_time = 4.0;      // s within which the force must have come
+constexpr double rest_time = 1.0;        // s over which the force is averaged
+constexpr double arming_time = 4.0;      // s within which the force must have arrived
 constexpr double least_follow = 5.0;     // mm that the handle must have been lifted
-constexpr double slew_delay = 0.0005;    // s by which the guard's slew rate brings a pulse in late
+constexpr double slew_delay = 0.0005;    // s by which the guard's slew rate delays a pulse
 constexpr double longest_probe = 10.0;   // s for the pulses that measure the delay
 constexpr double longest_delay = 0.02;   // s
 
@@ -76,7 +76,7 @@ CalibrationStep calibration_step(const std::string& name) {
     if (step.name == name) return step.step;
     names.push_back(step.name);
   }
-  throw InputError(fmt::format("--steps: '{}' is no step, expected {}", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("--steps: '{}' is not a step, expected {}", name, fmt::join(names, ", ")));
 }
 
 std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device) {
@@ -90,8 +90,8 @@ CalibrationSteps::CalibrationSteps(haptics::DeviceServo& servo, haptics::Calibra
                                    const CalibrationSettings& settings, CalibrationPerson person)
     : servo_(servo), controller_(controller), settings_(settings), person_(std::move(person)) {}
 
-void CalibrationSteps::require_sound() {
-  if (person_.gives_up && person_.gives_up()) throw CalibrationGivenUp();
+void CalibrationSteps::require_valid() {
+  if (person_.cancelled && person_.cancelled()) throw CalibrationCancelled();
   const haptics::ServoSnapshot& now = servo_.tick().snapshot();
   if (now.device.fault != haptics::DeviceFault::none) {
     const std::string sentence = servo_.explain();
@@ -104,12 +104,12 @@ void CalibrationSteps::require_sound() {
   }
 }
 
-void CalibrationSteps::wait_for_a_person() {
+void CalibrationSteps::wait_for_confirmation() {
   const auto begin = std::chrono::steady_clock::now();
   for (;;) {
     std::this_thread::sleep_for(step_interval);
-    require_sound();
-    if (person_.goes_on ? person_.goes_on() : time_since(begin) >= settings_.countdown) return;
+    require_valid();
+    if (person_.confirmed ? person_.confirmed() : time_since(begin) >= settings_.countdown) return;
   }
 }
 
@@ -118,13 +118,13 @@ std::vector<Pose> CalibrationSteps::watch(double seconds, std::string_view stage
   const auto begin = std::chrono::steady_clock::now();
   while (time_since(begin) < seconds) {
     std::this_thread::sleep_for(step_interval);
-    require_sound();
+    require_valid();
     readings.push_back(servo_.tick().snapshot().device.hand);
     if (person_.progress) person_.progress(stage, time_since(begin) / seconds);
-    const bool enough = person_.goes_on && person_.goes_on();
+    const bool enough = person_.confirmed && person_.confirmed();
     if (may_end_early && enough) break;
   }
-  if (person_.waited) person_.waited();
+  if (person_.after_measurement) person_.after_measurement();
   return readings;
 }
 
@@ -132,7 +132,7 @@ Vec3 CalibrationSteps::place() const {
   return servo_.tick().snapshot().device.hand.translation();
 }
 
-// N that carry the handle at rest, `away` from its first place, after `glide` s.
+// N that hold the handle at rest, `away` from its first place, after `glide` s.
 Vec3 CalibrationSteps::carried_force(const Vec3& away, double glide, std::string_view stage) {
   controller_.carry(away);
   watch(glide, stage, false);
@@ -141,7 +141,7 @@ Vec3 CalibrationSteps::carried_force(const Vec3& away, double glide, std::string
   const auto begin = std::chrono::steady_clock::now();
   while (time_since(begin) < rest_time) {
     std::this_thread::sleep_for(step_interval);
-    require_sound();
+    require_valid();
     sum += servo_.tick().snapshot().applied.force;
     ++count;
   }
@@ -155,14 +155,14 @@ void CalibrationSteps::bring_force_in() {
   const auto begin = std::chrono::steady_clock::now();
   while (servo_.tick().snapshot().state != haptics::GuardState::active) {
     std::this_thread::sleep_for(step_interval);
-    require_sound();
+    require_valid();
     if (time_since(begin) > arming_time) {
-      throw InputError("the force did not come, for the handle was not at rest; hold it still at the beginning");
+      throw InputError("no force was rendered, because the handle was not at rest; hold it still at the beginning");
     }
   }
 }
 
-// What is measured is the way of a command through our loop and the device; ours is known, and the rest is the
+// The measured delay is that of a command through our loop and the device; ours is known, and the rest is the
 // device's.
 void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
   haptics::DelayProbe& probe = controller_.delay_probe();
@@ -172,10 +172,10 @@ void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
   const auto begin = std::chrono::steady_clock::now();
   while (!probe.is_over() && time_since(begin) < longest_probe) {
     std::this_thread::sleep_for(step_interval);
-    require_sound();
+    require_valid();
     if (person_.progress) person_.progress("delay", time_since(begin) / longest_probe);
   }
-  if (person_.waited) person_.waited();
+  if (person_.after_measurement) person_.after_measurement();
   servo_.tick().disarm();
   const std::optional<double> found = probe.delay();
   if (!found) {
@@ -183,8 +183,8 @@ void CalibrationSteps::measure_delay(haptics::DeviceCalibration& measured) {
         "the handle did not follow the force clearly; hold it loosely, and try again with --steps delay");
   }
   measured.delay = std::clamp(*found - servo_.own_delay() - slew_delay, 0.0, longest_delay);
-  person_.say(fmt::format("  a force comes {:.1f} ms after its tick, {:.1f} ms of which are the device's",
-                          1e3 * *found, 1e3 * *measured.delay));
+  person_.report(fmt::format("  a force comes {:.1f} ms after its tick, {:.1f} ms of which are the device's",
+                             1e3 * *found, 1e3 * *measured.delay));
 }
 
 void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
@@ -214,39 +214,39 @@ void CalibrationSteps::weigh(haptics::DeviceCalibration& measured) {
   measured.weight = fit.weight;
   friction.z() = fit.friction;
   measured.friction = friction;
-  person_.say(
+  person_.report(
       fmt::format("  the handle weighs {:.2f} N, its friction is {:.2f} N to the right, {:.2f} N away from you "
                   "and {:.2f} N upwards",
                   fit.weight, friction.x(), friction.y(), friction.z()));
 }
 
 void CalibrationSteps::perform(CalibrationStep step, haptics::DeviceCalibration& measured) {
-  person_.say(std::string(step_words(step).what_to_do));
-  wait_for_a_person();
+  person_.report(std::string(step_words(step).what_to_do));
+  wait_for_confirmation();
   const std::string stage(name_of(step));
   switch (step) {
     case CalibrationStep::workspace: {
       measured.reach = haptics::reach_of(watch(settings_.seconds, stage, true));
       const Vec3 size = measured.reach->high - measured.reach->low;
-      person_.say(fmt::format("  {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z()));
+      person_.report(fmt::format("  {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z()));
       return;
     }
     case CalibrationStep::mounting:
       measured.mounting = haptics::mounting_of(watch(settings_.seconds, stage, true));
-      person_.say(fmt::format("  the device stands turned by {:.1f} degrees", *measured.mounting / degree));
+      person_.report(fmt::format("  the device stands turned by {:.1f} degrees", *measured.mounting / degree));
       return;
     case CalibrationStep::tip: {
       const haptics::TipFit fit = haptics::tip_of(watch(settings_.seconds, stage, true));
       measured.tip_offset = fit.offset;
       measured.tip_residual = fit.residual;
-      person_.say(fmt::format("  the tip lies {:.1f} mm from the device's point, found within {:.2f} mm",
-                              fit.offset.norm(), fit.residual));
+      person_.report(fmt::format("  the tip lies {:.1f} mm from the device's point, found within {:.2f} mm",
+                                 fit.offset.norm(), fit.residual));
       return;
     }
     case CalibrationStep::axis:
       measured.tool_axis = haptics::tool_axis_of(watch(std::min(settings_.seconds, 3.0), stage, true));
-      person_.say(fmt::format("  the needle's axis is {:.3f} {:.3f} {:.3f} of the tool's", measured.tool_axis->x(),
-                              measured.tool_axis->y(), measured.tool_axis->z()));
+      person_.report(fmt::format("  the needle's axis is {:.3f} {:.3f} {:.3f} of the tool's", measured.tool_axis->x(),
+                                 measured.tool_axis->y(), measured.tool_axis->z()));
       return;
     case CalibrationStep::weight:
       return weigh(measured);
@@ -259,16 +259,16 @@ haptics::TouchFit CalibrationSteps::touch(const std::string& name, const Vec3& t
   constexpr double touch_time = 1.0;  // s
   constexpr int attempts = 3;
   for (int attempt = 1;; ++attempt) {
-    person_.say(fmt::format("{}: put the tip there and keep it there.", name));
-    wait_for_a_person();
+    person_.report(fmt::format("{}: put the tip there and keep it there.", name));
+    wait_for_confirmation();
     try {
       haptics::TouchFit fit = haptics::touch_of(watch(touch_time, name, false), tip_offset);
-      person_.say(fmt::format("  at {:.2f} {:.2f} {:.2f} mm, within {:.2f} mm", fit.place.x(), fit.place.y(),
-                              fit.place.z(), fit.spread));
+      person_.report(fmt::format("  at {:.2f} {:.2f} {:.2f} mm, within {:.2f} mm", fit.place.x(), fit.place.y(),
+                                 fit.place.z(), fit.spread));
       return fit;
     } catch (const InputError& error) {
       if (attempt == attempts) throw;
-      person_.say(fmt::format("  {}", error.what()));
+      person_.report(fmt::format("  {}", error.what()));
     }
   }
 }

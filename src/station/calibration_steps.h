@@ -14,56 +14,56 @@
 
 namespace bodkin::station {
 
-// What `bodkin devices calibrate` measures, in this order.
+// The measurements of `bodkin devices calibrate`, in this order.
 enum class CalibrationStep { workspace, mounting, tip, axis, weight, delay };
 
 // "workspace"
 std::string_view name_of(CalibrationStep step);
-// Throws InputError for a name that no step has.
+// Throws InputError for an unknown name.
 CalibrationStep calibration_step(const std::string& name);
-// What the person has to do, one or two sentences.
+// Instruction for the person, one or two sentences.
 std::string_view task_of(CalibrationStep step);
 // The steps that a device allows: tip and axis need rotation, weight and delay need force.
 std::vector<CalibrationStep> steps_for(const haptics::DeviceAbilities& device);
 
 struct CalibrationSettings {
   double seconds = 15.0;   // for the motions of a step
-  double countdown = 3.0;  // s before a step where nobody can say "go on"
+  double countdown = 3.0;  // s before a step if no one can say "go on"
 };
 
-// Thrown where the person gives up. It is no error, so nothing that tells of one catches it.
-struct CalibrationGivenUp : std::exception {
+// Thrown when the person gives up. It is not an error, so no error handler catches it.
+struct CalibrationCancelled : std::exception {
   const char* what() const noexcept override { return "the calibration was given up"; }
 };
 
-// How the steps and the person talk. Called on the thread that performs them.
+// Communication between the steps and the person. Called on the thread that performs them.
 struct CalibrationPerson {
-  std::function<void(const std::string& sentence)> say;
-  // The person has said "go on" since the last call: begin the step, or enough of it. Empty: he cannot, and each step
-  // begins after the countdown.
-  std::function<bool()> goes_on;
-  std::function<bool()> gives_up;  // asked every 10 ms; empty: never
-  Progress progress;               // may be empty
-  std::function<void()> waited;    // a long measurement is over; may be empty
+  std::function<void(const std::string& sentence)> report;
+  // Whether the person has said "go on" since the last call: begin the step, or end it. Empty: not possible; each
+  // step begins after the countdown.
+  std::function<bool()> confirmed;
+  std::function<bool()> cancelled;          // asked every 10 ms; empty: never
+  Progress progress;                        // may be empty
+  std::function<void()> after_measurement;  // called after a long measurement; may be empty
 };
 
-// Leads a person through the steps with an open device, and keeps what they came to.
+// Guides a person through the steps with an open device, and stores the results.
 class CalibrationSteps {
  public:
-  // The servo runs; its controller is `controller`.
+  // The servo must run with `controller`.
   CalibrationSteps(haptics::DeviceServo& servo, haptics::CalibrationController& controller,
                    const CalibrationSettings& settings, CalibrationPerson person);
 
-  // Says what to do, waits for the person or the countdown, measures. Throws InputError where the readings do not
-  // do, SystemError when the device fails, and
-  // CalibrationGivenUp.
+  // Gives instructions, waits for the person or the countdown, measures. Throws InputError if the readings are
+  // unsuitable, SystemError when the device fails, and CalibrationCancelled.
   void perform(CalibrationStep step, haptics::DeviceCalibration& measured);
-  // Asks for the tip on a point of that name, waits for the person or the countdown, and says where it is. A tip that
-  // does not stay there is asked for again, twice. `tip_offset`: as in haptics::DeviceCalibration. Throws the same.
+  // Asks for the tip to be put on the point of that name, waits for the person or the countdown, and returns its
+  // position. Asks again, up to twice, if the tip does not stay there. `tip_offset`: as in
+  // haptics::DeviceCalibration. Throws as perform() does.
   haptics::TouchFit touch(const std::string& name, const Vec3& tip_offset);
 
  private:
-  void wait_for_a_person();
+  void wait_for_confirmation();
   std::vector<Pose> watch(double seconds, std::string_view stage, bool may_end_early);
   Vec3 carried_force(const Vec3& away, double glide, std::string_view stage);
   Vec3 place() const;
@@ -71,7 +71,7 @@ class CalibrationSteps {
   void measure_delay(haptics::DeviceCalibration& measured);
   void bring_force_in();
   // Throws when the device has failed or the person gives up.
-  void require_sound();
+  void require_valid();
 
   haptics::DeviceServo& servo_;
   haptics::CalibrationController& controller_;

@@ -54,9 +54,9 @@ std::string why_not_ready(const DeviceObservation& seen, const haptics::DeviceAb
                                  : seen.sentence;
   }
   if (seen.rounds == 0) return "the device did not answer once; is it switched on?";
-  if (!seen.answered) return "the device did not let itself be stopped; switch it off and on again";
+  if (!seen.answered) return "the device could not be stopped; switch it off and on again";
   if (seen.rate() < 0.9 * abilities.rate) {
-    return fmt::format("{:.0f} rounds a second instead of {:.0f}; close other programs, or use a lower rate",
+    return fmt::format("{:.0f} ticks a second instead of {:.0f}; close other programs, or use a lower rate",
                        seen.rate(), abilities.rate);
   }
   const double late = seen.timings.ticks == 0
@@ -64,7 +64,7 @@ std::string why_not_ready(const DeviceObservation& seen, const haptics::DeviceAb
                           : static_cast<double>(seen.timings.overruns) / static_cast<double>(seen.timings.ticks);
   if (1.0 - late < least_success) {
     return fmt::format(
-        "{:.1f} % of the rounds were late; close other programs, and permit real-time priority (docs/perform.md)",
+        "{:.1f} % of the ticks were late; close other programs, and permit real-time priority (docs/perform.md)",
         100.0 * late);
   }
   return "";

@@ -13,12 +13,12 @@ namespace bodkin::station {
 namespace {
 
 constexpr std::chrono::milliseconds look_interval{2};
-constexpr double least_travel = 20.0;     // mm that a hand goes in a direction
-constexpr double least_share = 0.7;       // of its way that lies in the direction
+constexpr double least_travel = 20.0;     // mm that a hand moves in a direction
+constexpr double least_share = 0.7;       // of its way, in that direction
 constexpr double least_downwards = 0.8;   // cosine of the tool's angle to straight down
 constexpr double least_release = 0.3;     // s without a hand
-constexpr double steady_spread = 2.0;     // mm of a handle that is left alone
-constexpr std::size_t most_faults = 100;  // that are kept of a step
+constexpr double steady_spread = 2.0;     // mm of a handle that is left at rest
+constexpr std::size_t most_faults = 100;  // kept of a step
 
 constexpr std::string_view step_let_go = "let_go", step_buttons = "buttons", step_pointing = "pointing",
                            step_rest = "rest";
@@ -65,16 +65,16 @@ std::string speaks_against(const ProtocolStep& step, const haptics::DeviceAbilit
   const Vec3 way = found.to - found.from;
   const double along = way.dot(step.towards);
   if (!step.towards.isZero() && (along < least_travel || along < least_share * way.norm())) {
-    return fmt::format("the hand went by {:.0f} {:.0f} {:.0f} mm (right, away, up)", way.x(), way.y(), way.z());
+    return fmt::format("the hand moved by {:.0f} {:.0f} {:.0f} mm (right, away, up)", way.x(), way.y(), way.z());
   }
   if (step.name == step_pointing && found.axis_to.z() > -least_downwards) {
     return fmt::format("the tool's axis was {:.2f} {:.2f} {:.2f} (right, away, up)", found.axis_to.x(),
                        found.axis_to.y(), found.axis_to.z());
   }
-  if (step.name == step_rest && found.spread.maxCoeff() > steady_spread) return "the readings did not keep still";
+  if (step.name == step_rest && found.spread.maxCoeff() > steady_spread) return "the readings were not steady";
   if (step.name == step_buttons && found.buttons == 0) return "no button was seen";
   if (step.name == step_let_go && device.has_dead_man && found.released < least_release) {
-    return "the device did not tell that it was let go";
+    return "the device did not report that it was let go";
   }
   return "";
 }

@@ -10,12 +10,12 @@
 
 namespace bodkin::station {
 
-// One thing that a person does with a device while it is watched without force, so that somebody far away can see
-// whether its driver's axes, units, buttons and faults are the device's.
+// One action of a person with a device while it is observed without force, so that a remote reader can check that its
+// driver's axes, units, buttons and faults match the device.
 struct ProtocolStep {
   std::string_view name;        // "right"
-  std::string_view task;        // what to do, one or two sentences
-  Vec3 towards = Vec3::Zero();  // unit, operator's frame: where the hand is to go; zero: nowhere
+  std::string_view task;        // instruction, one or two sentences
+  Vec3 towards = Vec3::Zero();  // unit, operator's frame: direction of the motion; zero: none
 };
 
 // The step that provokes a fault.
@@ -24,14 +24,14 @@ inline constexpr std::string_view last_protocol_step = "faults";
 // The steps that a device allows, in their order.
 std::vector<ProtocolStep> protocol_steps(const haptics::DeviceAbilities& device);
 
-// A fault that came while a step was watched.
+// A fault that occurred during a step.
 struct ProtocolFault {
-  double at = 0.0;  // s since the step's begin
+  double at = 0.0;  // s since the step began
   haptics::DeviceFault fault = haptics::DeviceFault::none;
   std::string sentence;  // the driver's, may be empty
 };
 
-// What was seen in a step. Lengths mm, operator's frame.
+// Observations in a step. Lengths mm, operator's frame.
 struct ProtocolFinding {
   std::string name;
   double seconds = 0.0;
@@ -41,16 +41,16 @@ struct ProtocolFinding {
   Vec3 spread = Vec3::Zero();                             // standard deviation
   Vec3 smallest = Vec3::Zero();                           // change between two readings, 0 = none changed
   Vec3 axis_from = Vec3::Zero(), axis_to = Vec3::Zero();  // of the tool, first and last reading
-  std::uint32_t buttons = 0;                              // that were pressed
-  double released = 0.0;                                  // s without a hand, where the device detects it
+  std::uint32_t buttons = 0;                              // those pressed
+  double released = 0.0;                                  // s without a hand, if the device detects it
   double hottest = 0.0;                                   // motor, 0 to 1
-  double strongest = 0.0;                                 // N that left, which must be 0
+  double strongest = 0.0;                                 // N applied, must be 0
   std::vector<ProtocolFault> faults;
-  std::string against;  // what is not as it should be, one sentence; may be empty
+  std::string against;  // the deviation found, one sentence; may be empty
 };
 
-// Watches a running servo that asks for no force. `watch` is called every 2 ms with the s that have passed; false
-// ends the step.
+// Observes a running servo that requests no force. `watch` is called every 2 ms with the s elapsed; false ends the
+// step.
 ProtocolFinding observe_step(haptics::DeviceServo& servo, const haptics::DeviceAbilities& device,
                              const ProtocolStep& step, double seconds,
                              const std::function<bool(double elapsed)>& watch);

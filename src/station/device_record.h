@@ -10,13 +10,13 @@
 
 namespace bodkin::station {
 
-// What a session keeps of the device that held the needle, JSON.
+// The record of the needle's device in a session, JSON.
 std::string device_record(const StationOptions& options, const haptics::DeviceAbilities& device,
                           const haptics::StableStiffness& stiffness, const haptics::DeviceCalibration& calibration);
 
-// Whether its needle is to move along its own axis alone once it is in tissue (AxialNeedle): no motor of the device
-// holds it. The mouse is a hand of its own that tissue holds back, a recording is to come back as it was, and a real
-// needle over a mannequin, which a camera sees, is where it is.
+// Whether its needle may move only along its own axis in tissue (AxialNeedle), because no motor holds it. Exceptions
+// are the mouse, a simulated hand that tissue holds back; a recording, which must be reproduced; and a real needle
+// over a mannequin, seen by a camera.
 bool moves_along_its_axis(const DeviceChoice& choice, const haptics::DeviceAbilities& device);
 
 }  // namespace bodkin::station

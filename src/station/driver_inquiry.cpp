@@ -25,8 +25,8 @@ constexpr std::chrono::seconds inquiry_patience{5};  // of the child, with the d
 constexpr io::ChildLimits inquiry_limits{
     .memory = 0, .processor = std::chrono::seconds(60), .wall = std::chrono::seconds(8)};
 
-// What the child says in its one line of JSON.
-nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings, bool wants_devices) {
+// The contents of the child's one line of JSON.
+nlohmann::json inquiry_result(const bodkin_driver& driver, const std::string& settings, bool wants_devices) {
   nlohmann::json answer_json = {
       {"name", driver.name}, {"summary", driver.summary}, {"devices", nlohmann::json::array()}};
   if (!wants_devices) return answer_json;
@@ -44,8 +44,8 @@ nlohmann::json told_by(const bodkin_driver& driver, const std::string& settings,
 nlohmann::json answer_to(const std::string& request, const DriverLoader& load) {
   try {
     const nlohmann::json json = nlohmann::json::parse(request);
-    return told_by(load(json.at("driver").get<std::string>()), json.at("settings").get<std::string>(),
-                   json.at("devices").get<bool>());
+    return inquiry_result(load(json.at("driver").get<std::string>()), json.at("settings").get<std::string>(),
+                          json.at("devices").get<bool>());
   } catch (const InputError& error) {
     return {{"refused", error.what()}};
   } catch (const std::exception& error) {
@@ -78,7 +78,7 @@ DriverAnswer answer_from(const nlohmann::json& answer_json, DriverAnswer answer)
 
 std::string end_of(const io::ChildResult& result, const std::string& driver) {
   const std::string advice = driver.find('/') == std::string::npos
-                                 ? "install its vendor's software anew, or remove it"
+                                 ? "reinstall its vendor's software, or remove it"
                                  : "remove the file, or ask whoever made it for another one";
   switch (result.end) {
     case io::ChildEnd::out_of_time:
@@ -115,7 +115,7 @@ DriverAnswer ask_driver(const std::string& driver, const std::string& settings, 
 }
 
 int answer_driver_inquiry(const DriverLoader& load) {
-  // A vendor's library may write to standard output: it gets another one.
+  // A vendor's library may write to standard output: it is given another one.
   const int answers = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (answers < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0) return 1;
@@ -123,7 +123,7 @@ int answer_driver_inquiry(const DriverLoader& load) {
   const std::string line =
       answer_to(request, load).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
   const bool whole = write(answers, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  _exit(whole ? 0 : 1);  // without what a vendor's library does at the end of a program
+  _exit(whole ? 0 : 1);  // without the exit handlers of a vendor's library
 }
 
 }  // namespace bodkin::station

@@ -14,9 +14,9 @@ namespace bodkin::station {
 namespace {
 
 constexpr std::size_t spare_nodes = 480;  // for a needle away from the path, and what a probe holds
-constexpr double probe_around = 80.0;     // mm about the entry, where a probe is felt by a needle
+constexpr double probe_around = 80.0;     // mm about the entry, where a needle feels a probe
 
-// These nodes of the mesh as points after the others.
+// Appends these nodes of the mesh as points.
 std::vector<fem::PointInMesh> with_nodes(std::vector<fem::PointInMesh> points,
                                          const std::vector<std::uint32_t>& nodes) {
   for (const std::uint32_t node : nodes) points.push_back(place_of_node(node));

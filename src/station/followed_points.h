@@ -14,28 +14,28 @@
 
 namespace bodkin::station {
 
-// The displacements of points in a deformable body, for display: by the needle's forces, computed on a thread of its
-// own, and by what the body does by itself, which update() tells.
+// The displacements of points in a deformable body, for display: by the needle's forces, computed on a separate
+// thread, and by the body's own motion, given by update().
 class FollowedPoints {
  public:
   // `elastic`: the body's, with its whole factor; `path`: the planned one; `points`: LPS mm, at rest, one or more;
-  // `left`: needles in the body, which hold the tissue. `whole`, of a needle that goes anywhere: what it does away
-  // from the path is computed when it is there (fem::GrowingField). `surface`: nodes that a probe may hold.
-  // Throws InputError when what is precomputed does not fit into memory. `mesh` must outlive this.
+  // `left`: needles in the body, which hold the tissue. `whole`, for a needle that may enter anywhere: its effect off
+  // the path is computed on demand (fem::GrowingField). `surface`: nodes that a probe may hold. Throws InputError
+  // when the precomputed data do not fit into memory. `mesh` must outlive this object.
   FollowedPoints(const fem::ElasticBody& elastic, const anatomy::TetrahedralMesh& mesh,
                  const anatomy::NeedlePath& path, const std::vector<Vec3>& points, const Progress& progress,
                  const fem::LeftNeedleForces& left = {}, std::shared_ptr<const fem::ContactBody> whole = {},
                  std::span<const std::uint32_t> surface = {});
 
-  // Other points from now on, of a needle that goes anywhere and has entered at `entry`; all at rest until the first
-  // of their displacements are computed. Of a needle that does not, nothing happens.
+  // From now on other points, for a needle that may enter anywhere and has entered at `entry`; all at rest until
+  // their first displacements are computed. No effect for a needle that stays near the path.
   void follow(const std::vector<Vec3>& points, const Vec3& entry);
 
-  // The thread that the tick gives its forces to.
+  // The thread to which the tick passes its forces.
   const std::shared_ptr<simulation::DisplayThread>& display() const noexcept { return display_; }
-  // How the body moves by itself: mm, 3 per node of the mesh; and the nodes that a probe holds.
+  // The body's own motion: mm, 3 per node of the mesh; and the nodes that a probe holds.
   void update(std::span<const float> nodes, std::span<const std::uint32_t> held = {});
-  // mm, x y z of every point in turn; valid until the next call.
+  // mm, x y z of every point, one after another; valid until the next call.
   std::span<const float> displacements();
 
  private:
@@ -47,7 +47,7 @@ class FollowedPoints {
   std::vector<std::uint32_t> surface_;
   std::shared_ptr<simulation::DisplayThread> display_;
   std::vector<fem::PointInMesh> points_;
-  std::vector<float> by_itself_, sum_;  // mm, of these points; empty until update()
+  std::vector<float> by_itself_, sum_;  // mm, of these points; empty before update()
 };
 
 }  // namespace bodkin::station

@@ -6,7 +6,7 @@
 
 namespace bodkin::station {
 
-// What the guard did and why, as a person reads it.
+// A guard's action and its reason, as a sentence for people.
 std::string sentence_of(const haptics::GuardEvent& event);
 
 }  // namespace bodkin::station

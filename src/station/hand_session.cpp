@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "session/recorder.h"
+#include "station/adjustable_tick.h"
 #include "station/axial_needle.h"
-#include "station/felt_numbers.h"
 #include "station/released_needle.h"
 #include "station/station_checks.h"
 
@@ -53,8 +53,8 @@ struct HandSession::Shared {
         has_syringe(patient->description.haptics.parts.syringe.has_value()),
         recorder(
             session::SessionWriter(output, header, overwrite),
-            [this](const simulation::TickRecord& record) { numbers.keep(record); }, session::Recorder::usual_capacity,
-            second) {}
+            [this](const simulation::TickRecord& record) { adjustable.keep(record); },
+            session::Recorder::usual_capacity, second) {}
 
   haptics::Control step(const haptics::ControlInput& input) noexcept {
     simulation::TickRecord record;
@@ -63,10 +63,10 @@ struct HandSession::Shared {
     if (has_syringe) record.input.thumb = thumb_now();
     record.input.other =
         simulation::OtherHand::from_byte(other.load(std::memory_order_relaxed)).value_or(simulation::OtherHand());
-    record.output = numbers.step(ticks, record.input);
+    record.output = adjustable.step(ticks, record.input);
     tick_in_tissue = record.output.depth > 0.0;
-    const Vec3 ahead = body == nullptr ? Vec3(Vec3::Zero()) : body->needle_ahead();
-    publish_forces(record.input.needle, ahead, record.output.drawn_in);
+    const Vec3 coupling_offset = body == nullptr ? Vec3(Vec3::Zero()) : body->coupling_offset();
+    publish_forces(record.input.needle, coupling_offset, record.output.drawn_in);
     const ReleasedNeedle::Step carried =
         released.step(input.needle_held && tick_in_tissue, input.needle, tissue_motion(record));
     if (moving) keep_moving(record);
@@ -83,14 +83,20 @@ struct HandSession::Shared {
       if (event.kind == forces::EventKind::contact || event.kind == forces::EventKind::withdrawn) past_points = false;
       if (event.kind == forces::EventKind::points_passed) past_points = true;
     }
-    HandSnapshot now{ticks,       record.input.needle, ahead,           record.output,
-                     past_points, record.input.other,  numbers.taken(), unseen_for.has_value()};
+    HandSnapshot now{ticks,
+                     record.input.needle,
+                     coupling_offset,
+                     record.output,
+                     past_points,
+                     record.input.other,
+                     adjustable.applied_changes(),
+                     unseen_for.has_value()};
     now.output.events.clear();
     snapshot.write(now);
     return {record.output.applied, 0.0, carried.by, carried.turn};
   }
 
-  // Of the tissue at the needle from rest, by breath and by what presses the body.
+  // Displacement of the tissue at the needle from rest, by breath and by pressure on the body.
   Pose tissue_motion(const simulation::TickRecord& record) const noexcept {
     Pose motion = body == nullptr ? Pose::Identity() : body->tissue_motion();
     if (!breath) return motion;
@@ -104,11 +110,11 @@ struct HandSession::Shared {
     return simulation::Thumb::of_force(plunger->thumb_force.load(std::memory_order_relaxed));
   }
 
-  // To whoever shows the body and the needle in it.
-  void publish_forces(Pose needle, const Vec3& ahead, double drawn_in) noexcept {
+  // For displays of the body and the needle in it.
+  void publish_forces(Pose needle, const Vec3& coupling_offset, double drawn_in) noexcept {
     if (!display && !scan) return;
     const fem::NodeForces forces = body == nullptr ? fem::NodeForces{} : body->node_forces();
-    needle.translation() -= ahead;
+    needle.translation() -= coupling_offset;
     if (display) display->set_forces(forces);
     if (scan) scan->set_needle(forces, needle, drawn_in);
   }
@@ -117,16 +123,16 @@ struct HandSession::Shared {
     simulation::TickOutput& output = record.output;
     moving->set_time(static_cast<double>(ticks) * tick.dt(), output.drawn_in);
     if (body != nullptr) moving->push_probe(body->on_held());
-    const std::uint64_t step = body == nullptr ? 0 : body->motion_taken();
-    if (step != body_taken.step) {
-      body_taken = {body_taken.step == 0 ? 0 : body_taken.number + 1, record.tick, step};
-      body_log->taken.push(body_taken);
+    const std::uint64_t step = body == nullptr ? 0 : body->applied_motion_step();
+    if (step != applied_body_step.step) {
+      applied_body_step = {applied_body_step.step == 0 ? 0 : applied_body_step.number + 1, record.tick, step};
+      body_log->applied_steps.push(applied_body_step);
     }
     if (!moving->failed() || std::exchange(moving_failed, true)) return;
     output.events.push({forces::EventKind::moving_body_failed, output.tissue, output.depth, 0.0});
   }
 
-  // After the tick's own events, for the tick does not know of it.
+  // After the tick's own events, because the tick does not know of it.
   void note_sight(bool unseen, simulation::TickOutput& output) noexcept {
     if (unseen) {
       if (!unseen_for) output.events.push({forces::EventKind::hand_lost, output.tissue, output.depth, 0.0});
@@ -139,7 +145,7 @@ struct HandSession::Shared {
 
   std::shared_ptr<const anatomy::Case> patient;
   simulation::HapticTick tick;
-  FeltNumbers numbers{patient, tick};
+  AdjustableTick adjustable{patient, tick};
   simulation::BodyPort* body;                   // of the tick; may be null
   std::shared_ptr<session::SecondLink> second;  // may be null
   const session::SecondLink* plunger;           // the same, if the second hand holds the plunger
@@ -149,13 +155,13 @@ struct HandSession::Shared {
   std::shared_ptr<ScanThread> scan;                    // may be null
   std::shared_ptr<fem::BodyThread> moving;             // may be null
   std::shared_ptr<session::BodyLog> body_log;          // with `moving`
-  session::BodyTaken body_taken;                       // the newest; of step 0: none
+  session::AppliedBodyStep applied_body_step;          // the newest; of step 0: none
   bool moving_failed = false;
   std::optional<anatomy::BreathField> breath = breath_of(*patient);
   ReleasedNeedle released;
   std::optional<AxialNeedle> axial;  // empty: the device renders force
   bool tick_in_tissue = false;       // after the tick before
-  std::optional<double> unseen_for;  // s for which a tracked hand has not been seen; empty: it is
+  std::optional<double> unseen_for;  // s since a tracked hand was last seen; empty: it is seen
   session::Recorder recorder;
   std::uint64_t ticks = 0;
   bool past_points = false;
@@ -176,7 +182,7 @@ HandSession::HandSession(std::shared_ptr<const anatomy::Case> patient, const ses
 
 HandSession::~HandSession() {
   servo_.reset();
-  shared_->numbers.stop();  // before the recorder goes, to which it tells what acts
+  shared_->adjustable.stop();  // destroyed before the recorder, which it tells the acting numbers
 }
 
 void HandSession::show_on(std::shared_ptr<simulation::DisplayThread> display) {
@@ -247,7 +253,7 @@ void HandSession::turn(bool simulation::OtherHand::*what) noexcept {
 
 void HandSession::change_numbers(const anatomy::HapticSettings& haptics,
                                  const std::vector<anatomy::TissueProperties>& tissues) {
-  shared_->numbers.order(haptics, tissues, [recorder = &shared_->recorder](session::NumberChange change) {
+  shared_->adjustable.request_change(haptics, tissues, [recorder = &shared_->recorder](session::NumberChange change) {
     recorder->note(std::move(change));
   });
 }
@@ -261,12 +267,12 @@ void HandSession::note(session::ScannedPart part) {
 }
 
 std::string HandSession::take_refusal() {
-  return shared_->numbers.take_refusal();
+  return shared_->adjustable.take_refusal();
 }
 
 bool HandSession::finish() {
   const bool answered = servo_->stop();
-  shared_->numbers.stop();
+  shared_->adjustable.stop();
   shared_->closed.store(true, std::memory_order_release);
   shared_->recorder.finish(session::timings_of(servo_->tick().timings()));
   return answered;

@@ -21,7 +21,7 @@ Pose rigid_needle(std::span<const Vec3> places, double length) {
     middle += places[i] / static_cast<double>(places.size());
     along += (static_cast<double>(i) * step - 0.5 * length) * places[i];
   }
-  // Tissue that lies in one point leaves the needle no direction of its own: that between its ends, or any.
+  // Tissue contracted to one point determines no direction: that between the needle's ends, or any.
   if (!(along.norm() > 0.0)) along = places.back() - places.front();
   if (!(along.norm() > 0.0)) along = Vec3::UnitZ();
   const Vec3 axis = along.normalized();

@@ -16,13 +16,13 @@ constexpr double slide_speed = 20.0;          // mm/s
 constexpr double slider_step = 2.0;           // dB a key
 constexpr double wheel_press = 0.5;           // mm a step
 constexpr double wheel_depth = 5.0;           // mm a step
-constexpr double longest_slide = 4.0;         // mm at once: a longer way is gone in steps, so that no fold is missed
-constexpr double hand_room = 200.0;           // mm: a longer drag is none
+constexpr double longest_slide = 4.0;         // mm at once: a longer way is split, so that no fold is missed
+constexpr double hand_room = 200.0;           // mm: a longer drag is ignored
 
 }  // namespace
 
 LiveScan::LiveScan(const anatomy::Case& patient, const UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
-                   const std::optional<imaging::NeedleInSound>& needle, const Place& place)
+                   const std::optional<imaging::NeedleInUltrasound>& needle, const Place& place)
     : patient_(patient),
       probe_(choice.probe),
       hand_(hand),
@@ -36,7 +36,7 @@ LiveScan::LiveScan(const anatomy::Case& patient, const UltrasoundChoice& choice,
   }
 }
 
-std::optional<imaging::NeedleInSound> LiveScan::needle() const {
+std::optional<imaging::NeedleInUltrasound> LiveScan::needle() const {
   if (!needle_in_) return std::nullopt;
   return needle_on_path(patient_, needle_depth_);
 }
@@ -107,17 +107,18 @@ void LiveScan::take(const ScreenEvent& event) {
 }
 
 void LiveScan::advance(double seconds) {
-  const double share = std::clamp(seconds, 0.0, 0.1);  // a hiccup of the machine is no jerk of the hand
+  const double share = std::clamp(seconds, 0.0, 0.1);  // a stall of the machine is no jerk of the hand
   const auto held = [&](ScreenKey key) { return held_.contains(key) ? 1.0 : 0.0; };
   const double aside = held(ScreenKey::right) - held(ScreenKey::left),
                fan = held(ScreenKey::up) - held(ScreenKey::down);
-  const double angle = turn_speed * share * (mark_ == imaging::MarkSide::left ? -1.0 : 1.0);
+  const double angle = turn_speed * share * (mark_ == imaging::OrientationMarkerSide::left ? -1.0 : 1.0);
   if (aside != 0.0 && shift_) hand_.rock(angle * aside);
   if (aside != 0.0 && !shift_) hand_.rotate(angle * aside);
   if (fan != 0.0) hand_.tilt(turn_speed * share * fan);
   const double right = held(ScreenKey::l) - held(ScreenKey::j), down = held(ScreenKey::k) - held(ScreenKey::i);
   const double way = slide_speed * share;
-  if (right != 0.0 || down != 0.0) slide((mark_ == imaging::MarkSide::left ? -way : way) * right, way * down);
+  if (right != 0.0 || down != 0.0)
+    slide((mark_ == imaging::OrientationMarkerSide::left ? -way : way) * right, way * down);
   const double in = held(ScreenKey::page_down) - held(ScreenKey::page_up);
   if (in != 0.0 && needle_in_) {
     needle_depth_ = std::clamp(needle_depth_ + needle_speed * share * in, 0.0, patient_.description.needle.length);
@@ -129,7 +130,8 @@ void LiveScan::drag(double x, double y) {
   if (!pointer_ || screen_.empty()) return;
   const Eigen::Vector2d way = Eigen::Vector2d(x, y) - *pointer_;
   const double scale = (screen_.to_probe({0.0, 1.0}) - screen_.to_probe({0.0, 0.0})).norm();  // mm a pixel
-  const double along = (mark_ == imaging::MarkSide::left ? -1.0 : 1.0) * way.x() * scale, across = way.y() * scale;
+  const double along = (mark_ == imaging::OrientationMarkerSide::left ? -1.0 : 1.0) * way.x() * scale,
+               across = way.y() * scale;
   slide(along, across);
 }
 
@@ -146,7 +148,7 @@ void LiveScan::slide(double along, double across) {
   }
 }
 
-// Half a row above and below each belongs to it, and some more to its left and right.
+// Half a row above and below each counts as its area, and some more to its left and right.
 std::optional<std::size_t> LiveScan::slider_at(const Eigen::Vector2d& at) const {
   constexpr double beside = 12.0;  // pixels
   if (!sliders_ || at.x() < place_.sliders_x - beside || at.x() > place_.sliders_x + place_.sliders_width + beside)
@@ -156,7 +158,7 @@ std::optional<std::size_t> LiveScan::slider_at(const Eigen::Vector2d& at) const 
   return static_cast<std::size_t>(row);
 }
 
-// To half a dB, so that the middle is found again.
+// In steps of half a dB, so that the middle can be set again.
 void LiveScan::set_slider(std::size_t slider, double decibels) {
   settings_.sliders[slider] = std::clamp(0.5 * std::round(2.0 * decibels), -slider_most, slider_most);
   sliders_ = true;
@@ -198,7 +200,7 @@ void LiveScan::press(ScreenKey key, bool shift) {
     case ScreenKey::m: {
       if (!pointer_) return;
       const Eigen::Vector2d at = *pointer_ - Eigen::Vector2d(place_.x, place_.y);
-      if (!screen_.holds(at)) return say("Put the pointer into the picture to mark a place.");
+      if (!screen_.holds(at)) return set_message("Put the pointer into the picture to mark a place.");
       screen_.freeze(true);
       screen_.mark(screen_.to_probe(at), fmt::format("M{}", screen_.markers().size() + 1));
       return;
@@ -207,7 +209,7 @@ void LiveScan::press(ScreenKey key, bool shift) {
       screen_.clear_measurements();
       return;
     case ScreenKey::n:
-      if (!patient_.description.procedure.path) return say("The case has no planned path for a needle.");
+      if (!patient_.description.procedure.path) return set_message("The case has no planned path for a needle.");
       needle_in_ = !needle_in_;
       return;
     case ScreenKey::s:

@@ -13,37 +13,37 @@
 
 namespace bodkin::station {
 
-// What somebody does with a probe and a machine, from events of mouse and keyboard: where the probe is, how the knobs
-// stand, where the needle is, what is measured. Knows no window.
+// A person's use of a probe and its machine, from events of mouse and keyboard: the place of the probe, the settings
+// of the knobs, the place of the needle, measurements. Independent of any window.
 class LiveScan {
  public:
-  // The picture of the machine is `width` x `height` pixels with its corner at (x, y) of the window.
+  // The machine's image is `width` x `height` pixels with its corner at (x, y) of the window.
   struct Place {
     double x = 0.0, y = 0.0;
     int width = 700, height = 600;
-    // Where the sliders of the time-gain compensation lie, row below row, while they are shown; the middle of a row
-    // is 0 dB, its ends are the ends of a slider's range.
+    // The sliders of the time-gain compensation, row below row, while they are shown; the middle of a row is 0 dB,
+    // its ends are the ends of a slider's range.
     double sliders_x = 0.0, sliders_y = 0.0, sliders_width = 0.0;
   };
   static constexpr double slider_row = 18.0;   // pixels from one slider to the next
   static constexpr double slider_most = 20.0;  // dB, up and down
   LiveScan(const anatomy::Case& patient, const UltrasoundChoice& choice, const imaging::ProbeOnSkin& hand,
-           const std::optional<imaging::NeedleInSound>& needle, const Place& place);
+           const std::optional<imaging::NeedleInUltrasound>& needle, const Place& place);
 
-  // Elsewhere or of another size in the window.
+  // Moves or resizes the image in the window.
   void set_place(const Place& place);
   const Place& place() const { return place_; }
 
   void take(const ScreenEvent& event);
-  // What held keys do in `seconds`.
+  // The effect of held keys in `seconds`.
   void advance(double seconds);
 
   Pose pose() const { return hand_.pose(); }
   const imaging::UltrasoundSettings& settings() const { return settings_; }
-  // In the patient; nothing where it is out or the case has no path.
-  std::optional<imaging::NeedleInSound> needle() const;
+  // In the patient; empty while it is out or if the case has no path.
+  std::optional<imaging::NeedleInUltrasound> needle() const;
   std::string needle_words() const;
-  // mm of the needle beyond its entry; negative where it is out.
+  // mm of the needle beyond its entry; negative while it is out.
   double needle_depth() const { return needle_in_ ? needle_depth_ : -1.0; }
   imaging::UltrasoundScreen& screen() { return screen_; }
   const imaging::UltrasoundScreen& screen() const { return screen_; }
@@ -52,10 +52,10 @@ class LiveScan {
   bool help() const { return help_; }
   bool sliders_shown() const { return sliders_; }
   bool measuring() const { return calipers_; }  // a click sets a caliper instead of moving the probe
-  // The last word to the person; empty when there is none.
+  // The latest message to the person; may be empty.
   const std::string& message() const { return message_; }
-  void say(std::string message) { message_ = std::move(message); }
-  // Somebody asked for a picture since the last call.
+  void set_message(std::string message) { message_ = std::move(message); }
+  // Whether an image was requested since the last call.
   bool take_save();
 
  private:
@@ -75,7 +75,7 @@ class LiveScan {
   Place place_;
   bool needle_in_ = false;
   double needle_depth_ = 0.0;  // mm
-  imaging::MarkSide mark_;
+  imaging::OrientationMarkerSide mark_;
   bool ended_ = false, help_ = false, calipers_ = false, save_ = false, sliders_ = false;
   std::string message_;
   std::set<ScreenKey> held_;

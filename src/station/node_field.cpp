@@ -10,13 +10,13 @@ namespace bodkin::station {
 
 namespace {
 
-constexpr double before_entry = 5.0, behind_target = 15.0;  // mm, of the line about which a picture knows forces
+constexpr double before_entry = 5.0, behind_target = 15.0;  // mm, of the line about which a display has forces
 constexpr double picture_around = 25.0;                     // mm from that line
 constexpr std::size_t most_picture_nodes = 1000;
 constexpr double hand_around = 15.0;           // mm from the path, where a free hand's needle may be
 constexpr std::size_t most_hand_nodes = 1000;  // that have columns
-constexpr std::size_t spare_hand_nodes = 400;  // of these, for a needle farther away, and what a probe holds
-constexpr double seen_around = 90.0;           // mm from the path: what a probe above it sees
+constexpr std::size_t spare_hand_nodes = 400;  // of these, for a needle farther away and nodes held by a probe
+constexpr double seen_around = 90.0;           // mm from the path: the view of a probe above it
 constexpr std::size_t most_bytes = std::size_t{512} << 20U;
 
 using NearNode = std::pair<double, std::uint32_t>;  // mm, and the node

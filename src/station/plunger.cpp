@@ -10,7 +10,7 @@ namespace {
 constexpr double stop_stiffness = 1.0;      // N/mm
 constexpr double guide_stiffness = 0.2;     // N/mm
 constexpr double most_guide_force = 1.0;    // N
-constexpr double largest_compliance = 1e5;  // mm^3/MPa, that a syringe takes
+constexpr double largest_compliance = 1e5;  // mm^3/MPa, for a syringe
 constexpr double friction_eases_at = 1.0;   // mm/s, see forces/syringe.cpp
 
 anatomy::SyringeSettings settings_for(double stiffness, double damping) {

@@ -18,16 +18,16 @@ namespace bodkin::station {
 
 namespace {
 
-constexpr double pressed_spacing = 2.0;     // mm between the points at which the tissue's motion is known
-constexpr double longest_pause = 0.5;       // s between two pictures; more is not made up for
+constexpr double pressed_spacing = 2.0;     // mm between the points at which the tissue's motion is sampled
+constexpr double longest_pause = 0.5;       // s between two images; longer pauses are not made up for
 constexpr double probe_speed = 300.0;       // mm/s
 constexpr double probe_turn = 3.0;          // rad/s
-constexpr double comes_from = 40.0;         // mm before the place where a probe is seen first
+constexpr double comes_from = 40.0;         // mm before the place where a probe first appears
 constexpr double housing = 15.0;            // mm, thickness
 constexpr double thickest = 40.0;           // mm
 constexpr std::size_t edges_judged = 3000;  // of a mesh, for its mean edge
 
-// Towards `goal` by one step.
+// Moves towards `goal` by one step.
 void go(Pose& face, const Pose& goal) {
   const Vec3 offset = goal.translation() - face.translation();
   const double way = probe_speed * body_step_time;
@@ -79,8 +79,7 @@ PressedScan::PressedScan(const anatomy::Case& patient, const std::filesystem::pa
   if (const auto tissue = fem::tissue_with_fibres(body_->mesh, body_->materials)) {
     if (note)
       note(fmt::format(
-          "the probe presses the patient layer by layer: tissue {} has fibres, which a body that moves by "
-          "itself does not know",
+          "the probe presses the patient layer by layer: tissue {} has fibres, which a moving body does not support",
           *tissue));
     return;
   }
@@ -126,7 +125,7 @@ void PressedScan::take_displacements() {
   }
 }
 
-std::shared_ptr<const imaging::MovedTissue> PressedScan::moved_tissue() const {
+std::shared_ptr<const imaging::TissueDisplacement> PressedScan::moved_tissue() const {
   return deforms() ? lattice_->moved(nodes_) : nullptr;
 }
 
@@ -135,7 +134,7 @@ imaging::SlicePlane PressedScan::plane_of_image(const Pose& probe) const {
 }
 
 const imaging::UltrasoundFrame& PressedScan::image(const Pose& probe,
-                                                   const std::optional<imaging::NeedleInSound>& needle) {
+                                                   const std::optional<imaging::NeedleInUltrasound>& needle) {
   most_ = 0.0;
   if (!deforms()) return frame_ = machine_.image(probe, needle);
   // How large a picture of these settings is, only a picture says.

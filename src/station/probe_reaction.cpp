@@ -12,12 +12,12 @@ namespace {
 constexpr double firmest_spring = 1.0;     // N/mm; a hand feels no difference to more
 constexpr double highest_reaction = 15.0;  // N, as of ProbeContact
 constexpr double glide_time = 0.010;       // s
-constexpr double contact_time = 0.020;     // s in which the force comes and goes
-constexpr double end_time = 0.3;           // s in which it goes when the probe no longer presses
-constexpr double stiffness_margin = 1.5;   // a step too short is made up for by the next one; one too long swings
-constexpr double least_way = 0.5;          // mm, what the way since the body was met counts as at least
-constexpr double least_step = 0.02;        // mm, of which the force says something
-constexpr double forgetting = 0.98;        // what is left of the stiffness after each step of the body
+constexpr double contact_time = 0.020;     // s in which the force ramps up and down
+constexpr double end_time = 0.3;           // s in which it fades when the probe no longer presses
+constexpr double stiffness_margin = 1.5;   // a short step is made up for by the next one; a long one swings
+constexpr double least_way = 0.5;          // mm, minimum of the way since contact, as a divisor
+constexpr double least_step = 0.02;        // mm; larger ones carry information in the force
+constexpr double forgetting = 0.98;        // share of the stiffness left after each step of the body
 
 }  // namespace
 
@@ -26,8 +26,8 @@ ProbeReaction::ProbeReaction(double dt, double device_stiffness) noexcept
       stiffness_(std::min(firmest_spring, device_stiffness)),
       glide_(1.0 - repeatable::exp(-dt / glide_time)) {}
 
-// From the whole displacement since contact and from its last increment; estimates decay slowly. A needle's hand
-// pushes while the probe stands still, too, so its part says nothing about an increment.
+// From the whole displacement since contact and from its last increment; estimates decay slowly. A needle's hand also
+// pushes while the probe is at rest, so its part carries no information about an increment.
 void ProbeReaction::find_stiffness(const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   const double force = reading.on_probe.force.norm();
   const double way = std::max(least_way, std::abs((reading.probe - met_).dot(axis)));
@@ -39,7 +39,7 @@ void ProbeReaction::find_stiffness(const Vec3& axis, const fem::ProbeReading& re
   last_force_ = of_press;
 }
 
-// What a step of the body has brought.
+// Takes the result of a step of the body.
 void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const fem::ProbeReading& reading) noexcept {
   steps_ = reading.steps;
   glide_ = 1.0 - repeatable::exp(-dt_ / std::max(glide_time, waited_));
@@ -52,7 +52,7 @@ void ProbeReaction::take(const Vec3& hand, const Vec3& axis, const fem::ProbeRea
     if (share_ == 0.0) felt_ = hand;
     touches_ = true;
   }
-  if (!meets && (hand - reading.probe).dot(axis) <= 0.0) touches_ = false;  // the hand has come out
+  if (!meets && (hand - reading.probe).dot(axis) <= 0.0) touches_ = false;  // the hand has left the body
   if (!touches_) return;
   Vec3 push = Vec3::Zero();
   if (meets) {

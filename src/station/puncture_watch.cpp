@@ -7,7 +7,7 @@ namespace bodkin::station {
 
 namespace {
 
-constexpr double surely_inside = 8.0;  // mm, deeper than any skin dimples before it gives way
+constexpr double surely_inside = 8.0;  // mm, deeper than any skin dimples before puncture
 constexpr double dimple_width = 3.0;   // mm
 
 }  // namespace

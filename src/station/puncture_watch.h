@@ -10,8 +10,8 @@
 
 namespace bodkin::station {
 
-// What a needle has done to the body so far, followed through a session's ticks and events for whoever shows it:
-// whether it touches, whether the skin has given way, whether the tip is on bone.
+// The state of a needle's contact with the body, derived from a session's ticks and events for displays: whether it
+// touches, whether the skin is punctured, whether the tip is on bone.
 class PunctureWatch {
  public:
   // `output`: of the newest tick. `events`: since the last call.
@@ -21,8 +21,9 @@ class PunctureWatch {
   bool has_punctured() const noexcept { return punctured_; }
   bool is_on_bone() const noexcept { return on_bone_; }
 
-  // mm that the skin at the needle has moved inwards along it, as the force model has it: what lies before the tip
-  // until the skin gives way, then what clings to the shaft, which a needle on its way out pulls up (negative).
+  // mm, inward motion along the needle of the skin around it, according to the force model: the tissue in front of
+  // the tip until the skin is punctured, then the tissue that adheres to the shaft, which a withdrawing needle pulls
+  // up (negative).
   double skin_dimple(const simulation::TickOutput& output,
                      std::span<const forces::DiagnosticName> names) const noexcept;
 
@@ -30,12 +31,12 @@ class PunctureWatch {
   bool touching_ = false, punctured_ = false, on_bone_ = false;
 };
 
-// The diagnostic of this name; null where the model has none.
+// The diagnostic of this name; null if the model has none.
 const double* find_diagnostic(const simulation::TickOutput& output, std::span<const forces::DiagnosticName> names,
                               std::string_view name) noexcept;
 
-// How much of the dimple the skin has at a distance (mm) from the needle's line: 1 at the needle, and farther out as
-// 1/r, as the surface of an elastic half-space sinks about a point load (Boussinesq). The width, 3 mm, is our choice.
+// The fraction of the dimple at a distance (mm) from the needle's line: 1 at the needle, and farther out as 1/r, as
+// the surface of an elastic half-space sinks about a point load (Boussinesq). The width, 3 mm, is our choice.
 double dimple_share(double distance) noexcept;
 
 }  // namespace bodkin::station

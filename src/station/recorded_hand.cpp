@@ -17,7 +17,7 @@ namespace bodkin::station {
 
 namespace {
 
-constexpr std::uint64_t longest_gap = 1000;  // ticks; a hand that was not seen for longer cannot be played
+constexpr std::uint64_t longest_gap = 1000;  // ticks; a hand that was unseen for longer cannot be played back
 
 class RecordedDevice : public haptics::OpenDevice {
  public:

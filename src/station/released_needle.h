@@ -6,17 +6,17 @@
 
 namespace bodkin::station {
 
-// A needle in tissue that nobody holds, frozen or clutched: it sticks to the tissue, and goes where that goes.
-// noexcept and without allocation.
+// A needle in tissue that no hand holds, frozen or clutched: it sticks to the tissue and moves with it. noexcept and
+// without allocation.
 class ReleasedNeedle {
  public:
-  // How it is to go on: its tip by `by` (mm, LPS), its axes turned by `turn` about the tip.
+  // Its motion in a tick: of its tip by `by` (mm, LPS), of its axes by `turn` about the tip.
   struct Step {
     Vec3 by = Vec3::Zero();
     Mat3 turn = Mat3::Identity();
   };
-  // One tick. `is_released`: nobody holds it, and it is in tissue; `needle`: where it is; `of_tissue`: the motion of
-  // the tissue at it, from rest.
+  // One tick. `is_released`: no hand holds it, and it is in tissue; `needle`: its pose; `of_tissue`: the motion of
+  // the tissue there, from rest.
   Step step(bool is_released, const Pose& needle, const Pose& of_tissue) noexcept {
     if (!is_released) {
       at_rest_.reset();
@@ -30,7 +30,7 @@ class ReleasedNeedle {
   }
 
  private:
-  std::optional<Pose> at_rest_;  // where it would be, were the tissue at rest; empty: a hand holds it
+  std::optional<Pose> at_rest_;  // its pose in tissue at rest; empty: a hand holds it
 };
 
 }  // namespace bodkin::station

@@ -13,11 +13,11 @@ constexpr double shortest_interval = 0.01;  // s between samples, as of a second
 ScanLog::ScanLog(std::shared_ptr<const anatomy::Case> patient, const anatomy::UltrasoundProbe& probe)
     : patient_(std::move(patient)), search_(*patient_, probe) {}
 
-void ScanLog::follow(const LivePicture& picture, std::uint64_t ticks, HandSession& session) {
+void ScanLog::follow(const LiveImage& picture, std::uint64_t ticks, HandSession& session) {
   const bool is_new = ticks > 0 && picture.number > 0 && picture.number != picture_;
-  if (!is_new || !picture.order.probe.matrix().allFinite()) return;
+  if (!is_new || !picture.setup.probe.matrix().allFinite()) return;
   const double time = static_cast<double>(ticks - 1) / patient_->description.haptics.rate;
-  const ScanOrder& now = picture.order;
+  const ScanSetup& now = picture.setup;
   const bool same = last_ && last_->probe.matrix() == now.probe.matrix() && last_->settings == now.settings;
   if (last_ && !same && time - time_ < shortest_interval) return;
   picture_ = picture.number;
@@ -25,10 +25,10 @@ void ScanLog::follow(const LivePicture& picture, std::uint64_t ticks, HandSessio
   last_ = now;
   time_ = time;
   session.note(session::ScanSample{time, now.probe, now.settings});
-  tell_parts(now, time, session);
+  record_parts(now, time, session);
 }
 
-void ScanLog::tell_parts(const ScanOrder& now, double time, HandSession& session) {
+void ScanLog::record_parts(const ScanSetup& now, double time, HandSession& session) {
   imaging::ScannedParts found;
   search_.add(now.probe, now.settings, found);
   for (const session::ScannedPart& part : session::newly_scanned(found, seen_, *patient_, time)) session.note(part);

@@ -13,22 +13,22 @@ namespace bodkin::station {
 
 class HandSession;
 
-// Writes into the session how the ultrasound machine was held and set, at most a hundred times a second and only what
-// has changed, and which parts of the patient its picture showed. On the thread of the station.
+// Records the pose and settings of the ultrasound machine in the session, at most a hundred times a second and only
+// changes, and the parts of the patient that appear in its image. On the thread of the station.
 class ScanLog {
  public:
   ScanLog(std::shared_ptr<const anatomy::Case> patient, const anatomy::UltrasoundProbe& probe);
 
-  // The newest picture, when the session had so many ticks.
-  void follow(const LivePicture& picture, std::uint64_t ticks, HandSession& session);
+  // The newest image, at this number of ticks of the session.
+  void follow(const LiveImage& picture, std::uint64_t ticks, HandSession& session);
 
  private:
-  void tell_parts(const ScanOrder& now, double time, HandSession& session);
+  void record_parts(const ScanSetup& now, double time, HandSession& session);
 
   std::shared_ptr<const anatomy::Case> patient_;
   imaging::ScannedSearch search_;
   imaging::ScannedParts seen_;
-  std::optional<ScanOrder> last_;
+  std::optional<ScanSetup> last_;
   std::uint64_t picture_ = 0;
   double time_ = 0.0;  // s, of `last_`
 };

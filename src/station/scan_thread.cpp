@@ -15,8 +15,8 @@ namespace {
 
 using PictureClock = std::chrono::steady_clock;
 
-constexpr double field_spacing = 2.0;  // mm between the points at which tissue's motion is known
-constexpr double press_fades = 20.0;   // mm beside the slice, where a probe's layers press no more
+constexpr double field_spacing = 2.0;  // mm between the points at which tissue's motion is sampled
+constexpr double press_fades = 20.0;   // mm beside the slice, beyond which a probe's layers press nothing
 
 double checked_scan_rate(double rate) {
   check_range("live ultrasound", "rate", rate, {1.0, 1000.0}, "Hz");
@@ -33,33 +33,33 @@ double farthest(std::span<const float> moved) {
 }  // namespace
 
 ScanThread::ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, imaging::Ultrasound machine,
-                       const anatomy::Needle& needle, ScanBody body, const ScanOrder& first, double rate)
+                       const anatomy::Needle& needle, ScanBody body, const ScanSetup& first, double rate)
     : machine_(std::move(machine)),
       needle_(needle),
       body_(std::move(body)),
       slice_(body_.mesh == nullptr ? nullptr : std::make_unique<SliceField>(body_.mesh)),
       layers_(body_.moves || (body_.by_forces == nullptr && !body_.breath && body_.left.needles() == 0)
                   ? std::nullopt
-                  : std::optional<PressedLayers>(std::in_place, std::move(patient), machine_.probe())),
+                  : std::optional<CompressedLayers>(std::in_place, std::move(patient), machine_.probe())),
       left_places_(body_.mesh == nullptr || body_.left.needles() == 0
                        ? std::vector<fem::PointInMesh>()
                        : fem::find_points(body_.mesh->mesh, body_.left.points())),
       left_moved_(3 * body_.left.points().size(), 0.0F),
-      left_seen_(body_.left.needles(), imaging::NeedleInSound{Pose::Identity(), needle}),
-      orders_(first),
+      left_seen_(body_.left.needles(), imaging::NeedleInUltrasound{Pose::Identity(), needle}),
+      setups_(first),
       thread_([this, pace = checked_scan_rate(rate)](const std::stop_token& stop) { run(stop, pace); }) {}
 
 void ScanThread::set_displacements(std::span<const float> nodes, std::span<const std::uint32_t> held) {
-  told_.assign(nodes.begin(), nodes.end());
-  nodes_.write(told_);
-  if (std::ranges::equal(held, told_held_)) return;
-  told_held_.assign(held.begin(), held.end());
-  held_.write(told_held_);
+  reported_.assign(nodes.begin(), nodes.end());
+  nodes_.write(reported_);
+  if (std::ranges::equal(held, reported_held_)) return;
+  reported_held_.assign(held.begin(), held.end());
+  held_.write(reported_held_);
 }
 
 void ScanThread::run(const std::stop_token& stop, double rate) {
   const auto interval = std::chrono::duration_cast<PictureClock::duration>(std::chrono::duration<double>(1.0 / rate));
-  LivePicture now;
+  LiveImage now;
   auto next = PictureClock::now();
   while (!stop.stop_requested()) {
     const auto begin = PictureClock::now();
@@ -74,53 +74,53 @@ void ScanThread::run(const std::stop_token& stop, double rate) {
   }
 }
 
-void ScanThread::make(LivePicture& now) {
-  now.order = orders_.read();
+void ScanThread::make(LiveImage& now) {
+  now.setup = setups_.read();
   const Tick& tick = ticks_.read();
-  if (wanted_ != now.order.settings) {
-    wanted_ = now.order.settings;
+  if (wanted_ != now.setup.settings) {
+    wanted_ = now.setup.settings;
     now.refused = false;
     try {
       machine_.set(*wanted_);
-    } catch (const InputError&) {  // what a knob cannot be: the picture stays as it was set before
+    } catch (const InputError&) {  // an impossible setting: the image keeps the previous one
       now.refused = true;
     }
   }
-  now.order.settings = machine_.settings();
-  std::optional<imaging::NeedleInSound> needle;
+  now.setup.settings = machine_.settings();
+  std::optional<imaging::NeedleInUltrasound> needle;
   now.needle.reset();
   if (tick.published) {
     now.needle = tick.needle;
-    needle = imaging::NeedleInSound{tick.needle, needle_};
+    needle = imaging::NeedleInUltrasound{tick.needle, needle_};
   }
-  // As the needle's tick has it: the picture is that of a probe and a needle in the tissue, which has moved away from
-  // them by what it has moved at the probe.
-  probe_ = now.order.probe;
+  // As in the needle's tick: the image is that of a probe and a needle in the tissue, which has moved away from them
+  // by its motion at the probe.
+  probe_ = now.setup.probe;
   carried_.setZero();
   if (body_.breath && probe_.matrix().allFinite()) {
-    probe_.translation() = body_.breath->material(now.order.probe.translation(), tick.drawn_in);
-    carried_ = now.order.probe.translation() - probe_.translation();
+    probe_.translation() = body_.breath->material(now.setup.probe.translation(), tick.drawn_in);
+    carried_ = now.setup.probe.translation() - probe_.translation();
     if (needle) needle->pose.translation() -= carried_;
   }
   std::optional<imaging::ScanDisplacement> displacement;
   if ((slice_ != nullptr || body_.breath) && probe_.matrix().allFinite()) {
-    // How large a picture of these settings is, only a picture says.
-    if (now.order.settings.depth != depth_) now.frame = machine_.image(probe_);
-    depth_ = now.order.settings.depth;
+    // Only a picture shows the size that these settings give.
+    if (now.setup.settings.depth != depth_) now.frame = machine_.image(probe_);
+    depth_ = now.setup.settings.depth;
     move_tissue(now, tick);
     displacement = now.grid;
     displacement->moved = now.moved;
   }
   if (!left_seen_.empty() && probe_.matrix().allFinite()) {
-    if (!displacement && layers_) layers_->settle(probe_, now.order.settings.depth, now.order.settings.gel);
+    if (!displacement && layers_) layers_->settle(probe_, now.setup.settings.depth, now.setup.settings.gel);
     move_left_needles(now, tick.drawn_in);
   }
   now.frame = machine_.image(probe_, needle, displacement, left_seen_);
 }
 
-// mm, by which the layers under the probe have moved what would be at `place` (LPS, as probe_ has it) without them.
+// mm, displacement by the probe's layers of what would otherwise be at `place` (LPS, as in probe_).
 Vec3 ScanThread::by_layers(const Vec3& place) const {
-  constexpr int rounds = 8;  // PressedLayers knows what has come to a place, not where a place has gone
+  constexpr int rounds = 8;  // CompressedLayers maps from a place to its tissue, not from tissue to its place
   const Pose into_probe = probe_.inverse(Eigen::Isometry);
   Vec3 moved = Vec3::Zero();
   for (int round = 0; round < rounds; ++round) {
@@ -130,8 +130,8 @@ Vec3 ScanThread::by_layers(const Vec3& place) const {
   return moved;
 }
 
-// With the tissue of this picture.
-void ScanThread::move_left_needles(LivePicture& now, double drawn_in) {
+// For the tissue of this image.
+void ScanThread::move_left_needles(LiveImage& now, double drawn_in) {
   const std::vector<Vec3>& points = body_.left.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     Vec3 moved = Vec3::Zero();
@@ -150,9 +150,9 @@ void ScanThread::move_left_needles(LivePicture& now, double drawn_in) {
   }
 }
 
-// What the probe does on top of what the needle does: both are small.
-void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
-  layers_->settle(probe_, now.order.settings.depth, now.order.settings.gel);
+// The probe's effect added to the needle's: both are small.
+void ScanThread::add_layers(LiveImage& now, const imaging::SlicePlane& grid) {
+  layers_->settle(probe_, now.setup.settings.depth, now.setup.settings.gel);
   if (!layers_->pressed()) return;
   float* moved = now.moved.data();
   for (int row = 0; row < grid.height; ++row) {
@@ -163,8 +163,8 @@ void ScanThread::add_layers(LivePicture& now, const imaging::SlicePlane& grid) {
   }
 }
 
-// How breath has moved the tissue in the picture, less what it has moved at the probe.
-void ScanThread::add_breath(LivePicture& now, const imaging::SlicePlane& grid, double drawn_in) const {
+// Displacement of the tissue in the image by breath, minus that at the probe.
+void ScanThread::add_breath(LiveImage& now, const imaging::SlicePlane& grid, double drawn_in) const {
   float* moved = now.moved.data();
   for (const Vec3& point : imaging::points_of(grid)) {
     const Vec3 place = point + carried_;
@@ -174,7 +174,7 @@ void ScanThread::add_breath(LivePicture& now, const imaging::SlicePlane& grid, d
   }
 }
 
-void ScanThread::move_tissue(LivePicture& now, const Tick& tick) {
+void ScanThread::move_tissue(LiveImage& now, const Tick& tick) {
   const imaging::SlicePlane grid = imaging::warp_grid(plane_of_frame(now.frame, probe_), field_spacing);
   now.left_out = 0.0;
   if (slice_ == nullptr) {
@@ -188,7 +188,7 @@ void ScanThread::move_tissue(LivePicture& now, const Tick& tick) {
   now.grid = {now.frame.corner, grid.pixel, grid.width, grid.height, {}};
 }
 
-void ScanThread::move_body(LivePicture& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces) {
+void ScanThread::move_body(LiveImage& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces) {
   moved_.assign(3 * body_.mesh->mesh.nodes.size(), 0.0F);
   const auto add = [this](std::span<const float> nodes) {
     if (nodes.size() != moved_.size()) return;  // nothing was published yet

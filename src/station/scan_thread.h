@@ -7,9 +7,9 @@
 #include <thread>
 #include <vector>
 
+#include "station/compressed_layers.h"
 #include "station/left_needle_motion.h"
 #include "station/node_field.h"
-#include "station/pressed_layers.h"
 #include "station/slice_field.h"
 
 #include "core/latest_value.h"
@@ -18,60 +18,60 @@
 
 namespace bodkin::station {
 
-// Where the probe is and how the machine is set.
-struct ScanOrder {
+// The pose of the probe and the settings of the machine.
+struct ScanSetup {
   Pose probe = Pose::Identity();  // probe to patient, LPS
   imaging::UltrasoundSettings settings;
 };
 
-// One picture of a patient who moves.
-struct LivePicture {
-  std::uint64_t number = 0;  // counts the pictures that were made; 0: none yet
+// One image of a moving patient.
+struct LiveImage {
+  std::uint64_t number = 0;  // number of the image; 0: none yet
   imaging::UltrasoundFrame frame;
-  ScanOrder order;                 // that it follows
-  std::optional<Pose> needle;      // in it; none before the first tick
-  std::vector<Pose> left;          // needles that were left, in it
-  imaging::ScanDisplacement grid;  // of `moved`, whose `moved` is not set; no columns where the tissue is at rest
-  std::vector<float> moved;        // mm, as ScanDisplacement has it
-  double most = 0.0;               // mm, the farthest that the body has moved anything in the picture, layers apart
-  double left_out = 0.0;           // N of the needle's forces that the picture does not show
-  double milliseconds = 0.0;       // that it took
-  bool refused = false;            // the settings of the order cannot be: those of the last picture stayed
+  ScanSetup setup;                 // that it shows
+  std::optional<Pose> needle;      // in the image; none before the first tick
+  std::vector<Pose> left;          // needles left in the body, in the image
+  imaging::ScanDisplacement grid;  // points of `moved`, not set in itself; no columns if the tissue is at rest
+  std::vector<float> moved;        // mm, in the format of ScanDisplacement
+  double most = 0.0;               // mm, largest displacement by the body in the image, without compressed layers
+  double left_out = 0.0;           // N of the needle's forces that the image omits
+  double milliseconds = 0.0;       // to compute it
+  bool refused = false;            // the settings are invalid: those of the last image stayed
 };
 
-// How the patient of a live ultrasound deforms: a deformable body, static or moving, and breath.
+// The deformation of the patient of a live ultrasound: a deformable body, static or moving, and breathing.
 struct ScanBody {
   std::shared_ptr<const fem::BodyDescription>
       mesh;                              // null: no body; only the probe compresses tissue, layer by layer
   std::unique_ptr<NodeField> by_forces;  // its displacements by the needle's forces; may be null
-  // A body that moves by itself, feels the probe too and gives that motion by set_displacements(). To a static one
+  // The body moves on its own, feels the probe too, and gives its motion by set_displacements(). For a static body
   // the probe's compression is added layer by layer.
   bool moves = false;
-  std::optional<anatomy::BreathField> breath = {};  // nothing: nobody breathes
-  LeftNeedleMotion left = {};                       // needles that were left in it, with the same breath
+  std::optional<anatomy::BreathField> breath = {};  // empty: no breathing
+  LeftNeedleMotion left = {};                       // of needles left in the body, with the same breathing
 };
 
-// Simulates ultrasound pictures repeatedly on a thread of its own, from the newest needle and forces of the tick and
-// the newest order. No thread ever waits for another: all exchange values through LatestValue.
+// Simulates ultrasound images repeatedly on its own thread, from the newest needle and forces of the tick and the
+// newest setup. No thread ever waits for another: all exchange values through LatestValue.
 class ScanThread {
  public:
-  // `machine`: for `patient`. `rate`: pictures per second at most, 1 to 1000. Throws InputError for another rate.
+  // `machine`: for `patient`. `rate`: images per second at most, 1 to 1000. Throws InputError for another rate.
   ScanThread(std::shared_ptr<const imaging::AcousticVolume> patient, imaging::Ultrasound machine,
-             const anatomy::Needle& needle, ScanBody body, const ScanOrder& first, double rate = 60.0);
+             const anatomy::Needle& needle, ScanBody body, const ScanSetup& first, double rate = 60.0);
 
-  // The tick's thread only; wait-free. Forces by node of the mesh; the needle as it is in the body; how far breath is
-  // drawn in.
+  // The tick's thread only; wait-free. Forces by node of the mesh; the pose of the needle in the body; depth of
+  // inspiration.
   void set_needle(const fem::NodeForces& forces, const Pose& needle, double drawn_in = 0.0) noexcept {
     ticks_.write({forces, needle, true, drawn_in});
   }
 
-  // Observer's thread, and so the two below: what the next pictures follow.
-  void set_order(const ScanOrder& order) noexcept { orders_.write(order); }
-  // mm, 3 per node of the mesh, of a moving body, and the nodes that a probe holds; another number of values is
+  // Observer's thread, as the next two functions: the setup for the next images.
+  void set_setup(const ScanSetup& setup) noexcept { setups_.write(setup); }
+  // mm, 3 per node of the mesh, of a moving body, and the nodes that a probe holds; any other number of values is
   // ignored.
   void set_displacements(std::span<const float> nodes, std::span<const std::uint32_t> held = {});
-  // The newest picture, unchanged until the next call.
-  const LivePicture& picture() noexcept { return pictures_.read(); }
+  // The newest image, unchanged until the next call.
+  const LiveImage& picture() noexcept { return pictures_.read(); }
 
  private:
   struct Tick {
@@ -81,34 +81,34 @@ class ScanThread {
     double drawn_in = 0.0;
   };
   void run(const std::stop_token& stop, double rate);
-  void make(LivePicture& now);
-  void add_breath(LivePicture& now, const imaging::SlicePlane& grid, double drawn_in) const;
-  void add_layers(LivePicture& now, const imaging::SlicePlane& grid);
-  void move_tissue(LivePicture& now, const Tick& tick);
-  void move_body(LivePicture& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces);
-  void move_left_needles(LivePicture& now, double drawn_in);
+  void make(LiveImage& now);
+  void add_breath(LiveImage& now, const imaging::SlicePlane& grid, double drawn_in) const;
+  void add_layers(LiveImage& now, const imaging::SlicePlane& grid);
+  void move_tissue(LiveImage& now, const Tick& tick);
+  void move_body(LiveImage& now, const imaging::SlicePlane& grid, const fem::NodeForces& forces);
+  void move_left_needles(LiveImage& now, double drawn_in);
   Vec3 by_layers(const Vec3& place) const;
 
   imaging::Ultrasound machine_;
   anatomy::Needle needle_;
   ScanBody body_;
   std::unique_ptr<SliceField> slice_;
-  std::optional<PressedLayers> layers_;
-  std::vector<float> moved_;                       // mm, of every node of the mesh, in this picture
-  std::vector<fem::PointInMesh> left_places_;      // of the points of needles that were left; empty without a mesh
-  std::vector<float> left_moved_;                  // mm, of these points, in this picture
-  std::vector<imaging::NeedleInSound> left_seen_;  // as the machine has them
-  Vec3 carried_ = Vec3::Zero();    // mm, by which breath has moved the tissue at the probe, in this picture
-  Pose probe_ = Pose::Identity();  // of this picture, where it would be had the tissue at it not moved
+  std::optional<CompressedLayers> layers_;
+  std::vector<float> moved_;                            // mm, of every node of the mesh, in this image
+  std::vector<fem::PointInMesh> left_places_;           // of the points of left needles; empty without a mesh
+  std::vector<float> left_moved_;                       // mm, of these points, in this image
+  std::vector<imaging::NeedleInUltrasound> left_seen_;  // in the machine's format
+  Vec3 carried_ = Vec3::Zero();    // mm, motion of the tissue at the probe by breathing, in this image
+  Pose probe_ = Pose::Identity();  // of this image, relative to the tissue at rest
   LatestValue<Tick> ticks_;
-  LatestValue<ScanOrder> orders_;
+  LatestValue<ScanSetup> setups_;
   LatestValue<std::vector<float>> nodes_;
   LatestValue<std::vector<std::uint32_t>> held_;
-  LatestValue<LivePicture> pictures_;
-  std::optional<imaging::UltrasoundSettings> wanted_;  // of the last picture, and its depth, mm: of the thread
+  LatestValue<LiveImage> pictures_;
+  std::optional<imaging::UltrasoundSettings> wanted_;  // of the last image, and its depth, mm: used by the thread
   double depth_ = 0.0;
-  std::vector<float> told_;  // of the observer's thread, and so is the next
-  std::vector<std::uint32_t> told_held_;
+  std::vector<float> reported_;  // used by the observer's thread, as is the next
+  std::vector<std::uint32_t> reported_held_;
   std::jthread thread_;  // the last member: it uses the others
 };
 

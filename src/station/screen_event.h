@@ -2,7 +2,7 @@
 
 namespace bodkin::station {
 
-// The keys that something is done with; the others are `other`.
+// The keys with a function; the others are `other`.
 enum class ScreenKey {
   other,
   space,
@@ -46,16 +46,16 @@ enum class ScreenKey {
   eight
 };
 
-// What a person did in the window. Pixels, right and down.
+// A person's action in the window. Pixels, right and down.
 struct ScreenEvent {
   enum class Kind { motion, button, leave, wheel, key, focus_lost, close };
   Kind kind = Kind::close;
-  double x = 0.0, y = 0.0;  // motion, button: where the pointer is
+  double x = 0.0, y = 0.0;  // motion, button: position of the pointer
   double steps = 0.0;       // wheel: forwards
   ScreenKey key = ScreenKey::other;
-  bool down = false;    // key, button: pressed, not let go
-  bool shift = false;   // is held
-  bool button = false;  // motion: a button of the mouse is held
+  bool down = false;    // key, button: pressed, not released
+  bool shift = false;   // held
+  bool button = false;  // motion: a mouse button is held
 };
 
 }  // namespace bodkin::station

@@ -27,7 +27,7 @@ SecondDevice::SecondDevice(const SecondChoice& choice, const DeviceChoice& first
   complete_from_table(device_);
   if (use_calibration) calibration_ = calibration_of(choice.device, device_);
   haptics::apply(calibration_, device_);
-  // The loops do not wait for each other, so each device may keep its own rate.
+  // The loops do not wait for each other, so each device keeps its own rate.
   const bool keeps_its_rate =
       device_.owns_loop || choice.device.is_simulated() || choice.device.is_recorded() || choice.device.is_tracked();
   settings_.rate = keeps_its_rate ? device_.rate : rate;

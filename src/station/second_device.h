@@ -28,10 +28,10 @@ class SecondDevice {
   const std::string& calibrated_at() const noexcept { return calibration_.measured_at; }  // "": never
   bool has_force() const noexcept { return device_.peak_force > 0.0; }
   const std::shared_ptr<session::SecondLink>& link() const noexcept { return link_; }
-  // What the device may be asked to render; the hand that hand() makes asks for no more.
+  // The stiffness that the device may be asked to render; the hand from hand() requests no more.
   const haptics::StableStiffness& stiffness() const noexcept { return stiffness_; }
   const haptics::DeviceAbilities& abilities() const noexcept { return device_; }
-  // N that the device gives at most from now on. Before hand().
+  // N, largest force of the device from now on. Before hand().
   void limit_force(double most) noexcept { settings_.guard.user_force = most; }
   // To be called once: the hand takes the device. `body`: see SecondHand.
   std::unique_ptr<SecondHand> hand(std::shared_ptr<const anatomy::Case> patient,

@@ -67,7 +67,7 @@ struct SecondHand::Shared {
       control.wrench.force = probe->step(input.needle);
       now.force = probe->force();
     } else if (ProbeReaction* const reaction = std::get_if<ProbeReaction>(&model)) {
-      // A hand that cannot feel the body does not press it.
+      // A hand without force feedback does not press the body.
       const bool presses = armed && !pressed->failed();
       control.wrench.force = reaction->step(input.needle, pressed->reading(), presses);
       pressed->move_probe(presses ? std::optional<Pose>(reaction->probe()) : std::nullopt);
@@ -76,8 +76,7 @@ struct SecondHand::Shared {
     }
     samples.write(now);
     tools.write(tool);
-    // By the needle's time, so that a sample and the ticks of the session share one clock and no two samples have
-    // one time.
+    // In the needle's time, so that samples and ticks share one clock and no two samples have the same time.
     if (needle.time >= next_sample - rounding) {
       next_sample = needle.time + sample_interval;
       if (!link->samples.push(now)) link->lost.fetch_add(1, std::memory_order_relaxed);

@@ -16,15 +16,15 @@ std::string SightWatch::follow(const StationStatus& status, const haptics::Devic
     if (event.event.kind == forces::EventKind::hand_lost) {
       ++times_;
       is_unseen_ = true;
-      was_told_ = false;
+      reported_ = false;
       since_ = status.time;
     } else if (event.event.kind == forces::EventKind::hand_seen) {
       unseen_ += event.event.value;
       is_unseen_ = false;
     }
   }
-  if (!is_unseen_ || was_told_ || status.time - since_ < a_moment) return {};
-  was_told_ = true;
+  if (!is_unseen_ || reported_ || status.time - since_ < a_moment) return {};
+  reported_ = true;
   return fmt::format("{:.1f} s: the needle is not seen and rests where it was: {}", status.time, servo.explain());
 }
 

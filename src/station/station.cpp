@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "patient/prepared_body.h"
+#include "session/body_displacement.h"
 #include "session/left_needles.h"
-#include "session/moved_body.h"
 #include "station/body_glide.h"
 #include "station/body_supervisor.h"
 #include "station/device_choice.h"
@@ -54,7 +54,7 @@ struct Station::Parts {
   void prepare_ultrasound(const Pose& probe);
 
   double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-  void say(const std::string& sentence);
+  void add_message(const std::string& sentence);
   void report_events(haptics::ServoTick& servo, bool has_force, const char* whose);
   void press_plunger(bool on);
   void disarm_second_on_fault();
@@ -73,11 +73,11 @@ struct Station::Parts {
   std::unique_ptr<NodeField> field;                    // of the needle, until the ultrasound takes it
   haptics::DeviceAbilities device;
   haptics::DeviceCalibration calibration;
-  haptics::StableStiffness stiffness;  // that the device may be asked to render
+  haptics::StableStiffness stiffness;  // that the device may be told to render
   haptics::ServoSettings servo;
   std::optional<SecondDevice> second_device;
   std::shared_ptr<ScanThread> scan;  // null: no ultrasound
-  ScanOrder order;
+  ScanSetup setup;
   std::optional<ScanLog> scan_log;  // with `scan`
   std::uint64_t shown_steps = 0;    // of a moving body
   std::unique_ptr<SecondHand> second;
@@ -110,7 +110,7 @@ void Station::Parts::prepare_patient() {
   moving = std::make_shared<fem::BodyThread>(*body, moving_settings(options), breath_of(*patient));
 }
 
-// Precomputes what moves the points that the observer wants to see, and the ultrasound.
+// Precomputes the motion of the points requested by the observer, and of the ultrasound.
 void Station::Parts::follow_points(const std::vector<Vec3>& wanted) {
   if (body == nullptr || (wanted.empty() && !options.ultrasound)) return;
   const Progress progress = observer.progress();
@@ -139,7 +139,7 @@ haptics::DevicePort Station::Parts::open_device() {
   servo.workspace.force_scale = options.force_scale;
   haptics::apply(calibration, servo);
   if (options.mannequin) place_on(*options.mannequin, patient->description.needle.length, servo.workspace);
-  anatomy::DeviceLimits& limits = patient->description.device;  // of what the needle's side may ask for
+  anatomy::DeviceLimits& limits = patient->description.device;  // limit of requests from the needle's side
   limits = limits_with(choice, device, limits);
   if (!choice.is_recorded()) limits = with_stiffness(stiffness, servo.workspace, path, limits);
   limits.stiffness /= options.scale * options.force_scale;
@@ -183,32 +183,32 @@ void Station::Parts::prepare_ultrasound(const Pose& probe) {
   const UltrasoundChoice& choice = *options.ultrasound;
   const auto volume = imaging::acoustic_volume(*patient, observer.progress());
   imaging::Ultrasound machine(volume, choice.probe, choice.settings, choice.detail);
-  order = {probe, choice.settings};
+  setup = {probe, choice.settings};
   const std::optional<anatomy::BreathField> breath = breath_of(*patient);
   ScanBody seen{body, std::move(field), moving != nullptr, breath, LeftNeedleMotion(options.left_needles, breath)};
   scan =
-      std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle, std::move(seen), order);
+      std::make_shared<ScanThread>(volume, std::move(machine), patient->description.needle, std::move(seen), setup);
   scan_log.emplace(patient, choice.probe);
 }
 
-void Station::Parts::say(const std::string& sentence) {
+void Station::Parts::add_message(const std::string& sentence) {
   status.message = sentence;
   observer.note(sentence);
 }
 
-// `whose`: how a sentence begins.
+// `whose`: beginning of a sentence.
 void Station::Parts::report_events(haptics::ServoTick& from, bool has_force, const char* whose) {
   haptics::GuardEvent event;
   while (from.next_event(event)) {
-    // Every puncture limits the slew rate, and every release the passivity: not worth a word.
+    // Every puncture triggers the slew rate limit, and every release the passivity limit: not worth a report.
     if (event.reason == haptics::GuardReason::slew || event.reason == haptics::GuardReason::passivity) continue;
     const bool peak = event.reason == haptics::GuardReason::peak || event.reason == haptics::GuardReason::torque_peak;
     if (peak && !has_force) continue;  // the peak of a device without force is 0
-    say(fmt::format("{:.1f} s: {}{}", event.time, whose, sentence_of(event)));
+    add_message(fmt::format("{:.1f} s: {}{}", event.time, whose, sentence_of(event)));
   }
 }
 
-// A plunger that keeps pushing while the needle has been let go belongs to no procedure.
+// No procedure has a plunger that keeps pushing after the needle was released.
 void Station::Parts::disarm_second_on_fault() {
   const bool faulted = status.servo.state == haptics::GuardState::faulted;
   if (second_runs && faulted && !was_faulted) {
@@ -226,7 +226,7 @@ void Station::Parts::press_plunger(bool on) {
 void Station::Parts::update_scan() {
   if (scan == nullptr) return;
   status.probe_is_held = second_runs && second->role() == session::SecondRole::probe;
-  scan->set_order({status.probe_is_held ? probe_in_hand(second->tool()) : order.probe, order.settings});
+  scan->set_setup({status.probe_is_held ? probe_in_hand(second->tool()) : setup.probe, setup.settings});
   status.ultrasound = &scan->picture();
   scan_log->follow(*status.ultrasound, status.needle.ticks, *session);
 }
@@ -303,13 +303,13 @@ StationResult Station::run() {
 
 void Station::start() {
   Parts& parts = *parts_;
-  // The second one first: a vendor may take its time, in which the needle must not wait.
+  // The second device first: a vendor's library may be slow, and the needle must not wait for it.
   if (parts.second != nullptr) {
     try {
       parts.second->start();
       parts.second_runs = true;
     } catch (const SystemError& error) {
-      parts.observer.note(fmt::format("the second hand takes no part: {}", error.what()));
+      parts.observer.note(fmt::format("the second hand is not used: {}", error.what()));
     }
   }
   parts.press_plunger(parts.options.device.is_simulated() || parts.options.device.is_recorded());
@@ -326,9 +326,9 @@ const StationStatus& Station::update() {
   if (parts.second_runs)
     parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
   if (parts.supervisor) {
-    for (const std::string& sentence : parts.supervisor->update()) parts.say(sentence);
+    for (const std::string& sentence : parts.supervisor->update()) parts.add_message(sentence);
   }
-  if (const std::string refusal = parts.session->take_refusal(); !refusal.empty()) parts.say(refusal);
+  if (const std::string refusal = parts.session->take_refusal(); !refusal.empty()) parts.add_message(refusal);
   status.time = parts.elapsed();
   status.servo = parts.session->servo().tick().snapshot();
   status.timings = parts.session->servo().tick().timings();
@@ -336,7 +336,7 @@ const StationStatus& Station::update() {
   status.diagnostic_names = parts.session->diagnostic_names();
   status.samples = parts.session->take_samples();
   status.events = parts.session->take_events();
-  if (const auto lost = parts.sight.follow(status, parts.session->servo()); !lost.empty()) parts.say(lost);
+  if (const auto lost = parts.sight.follow(status, parts.session->servo()); !lost.empty()) parts.add_message(lost);
   if (parts.second_runs) status.second = SecondStatus{parts.second->role(), parts.second->snapshot()};
   if (status.servo.device.ended()) end();
   parts.disarm_second_on_fault();
@@ -349,7 +349,7 @@ const StationStatus& Station::update() {
 void Station::follow(const std::vector<Vec3>& points, const Vec3& entry) {
   if (!parts_->points) return;
   parts_->points->follow(points, entry);
-  parts_->shown_steps = 0;  // a moving body tells these points too where it is
+  parts_->shown_steps = 0;  // a moving body also publishes the place of these points
 }
 
 bool Station::ended() const noexcept {
@@ -362,9 +362,8 @@ StationResult Station::finish() {
   session::RunResult& run = result.run;
   run.operator_finished = parts.end_asked.load();
   if (parts.second_runs && !parts.second->stop())
-    run.notes.emplace_back("the second device did not let itself be stopped; switch it off and on again");
-  if (!parts.session->finish())
-    run.notes.emplace_back("the device did not let itself be stopped; switch it off and on again");
+    run.notes.emplace_back("the second device could not be stopped; switch it off and on again");
+  if (!parts.session->finish()) run.notes.emplace_back("the device could not be stopped; switch it off and on again");
   if (parts.second_runs)
     parts.report_events(parts.second->servo().tick(), parts.second_device->has_force(), "second hand: ");
   run.wall_time = parts.elapsed();
@@ -373,7 +372,7 @@ StationResult Station::finish() {
   run.missed_deadlines = timings.overruns;
   run.worst_lateness = timings.lateness.maximum();
   run.records_lost = parts.session->records_lost();
-  if (!holds_a_hand(parts.options.device, parts.device)) {  // otherwise it was said before
+  if (!holds_a_hand(parts.options.device, parts.device)) {  // otherwise it has already been reported
     for (const std::string& sentence : parts.session->servo().refused()) run.notes.push_back(sentence);
   }
   if (run.ticks == 0) throw SystemError("the device did not answer once; is it switched on?");
@@ -420,7 +419,7 @@ bool Station::move_body(const Vec3& middle, const Mat3& rotation) {
   Parts& parts = *parts_;
   if (parts.options.mannequin || parts.second != nullptr || BodyGlide::touches(parts.session->snapshot()))
     return false;
-  parts.glide.order(middle, rotation, parts.elapsed(), parts.session->servo().tick(), parts.servo.workspace);
+  parts.glide.request(middle, rotation, parts.elapsed(), parts.session->servo().tick(), parts.servo.workspace);
   return true;
 }
 
@@ -429,7 +428,7 @@ void Station::change_numbers(const anatomy::HapticSettings& haptics,
   try {
     parts_->session->change_numbers(haptics, tissues);
   } catch (const InputError& refused) {
-    parts_->say(refused.what());
+    parts_->add_message(refused.what());
   }
 }
 
@@ -437,8 +436,8 @@ void Station::end() noexcept {
   parts_->end_asked.store(true);
 }
 
-void Station::set_scan_order(const ScanOrder& order) {
-  parts_->order = order;
+void Station::set_scan_setup(const ScanSetup& setup) {
+  parts_->setup = setup;
 }
 
 const anatomy::Case& Station::patient() const noexcept {

@@ -40,8 +40,8 @@ void check_moving_body(const StationOptions& options) {
   const anatomy::ResistanceSettings& resistance = options.patient.description.haptics.resistance;
   if (std::holds_alternative<anatomy::EmbeddedNeedleSettings>(resistance)) return;
   throw InputError(
-      fmt::format("--body is 'moving', which only the resistance embedded_needle feels, and this one is {}; add "
-                  "--resistance embedded_needle",
+      fmt::format("--body is 'moving', which only the resistance embedded_needle feels, but the resistance is {}; "
+                  "add --resistance embedded_needle",
                   anatomy::name_of(resistance)));
 }
 
@@ -67,7 +67,7 @@ Pose first_probe(const UltrasoundChoice& choice, const anatomy::Case& patient) {
   }
 }
 
-std::string what_is_left(const haptics::StableStiffness& stiffness) {
+std::string remaining_stiffness(const haptics::StableStiffness& stiffness) {
   const bool encoder = stiffness.by_encoder.minCoeff() < stiffness.by_delay;
   const Vec3& axis = stiffness.axis;
   const bool alike = axis.maxCoeff() - axis.minCoeff() < 0.01 * axis.maxCoeff();
@@ -79,7 +79,7 @@ std::string what_is_left(const haptics::StableStiffness& stiffness) {
 
 std::string stiffness_sentence(const haptics::StableStiffness& stiffness) {
   const bool encoder = stiffness.by_encoder.minCoeff() < stiffness.by_delay;
-  return fmt::format("of the published {:.2g} N/mm {}: {}", stiffness.published, what_is_left(stiffness),
+  return fmt::format("of the published {:.2g} N/mm {}: {}", stiffness.published, remaining_stiffness(stiffness),
                      encoder
                          ? "the encoder's counts allow no more with the friction that was measured"
                          : fmt::format("a force reaches the hand {:.1f} ms after its tick", 1e3 * stiffness.delay));

@@ -32,34 +32,34 @@ struct StationStatus {
   HandSnapshot needle;
   std::span<const forces::DiagnosticName> diagnostic_names;  // of its output
   std::span<const HandSample> samples;                       // every tick since the last status
-  std::span<const session::SessionEvent> events;             // of the needle, since then
+  std::span<const session::SessionEvent> events;             // of the needle, since the last status
   haptics::ServoTimings timings;                             // published every hundred ticks
   std::optional<SecondStatus> second;
-  std::string message;                      // the newest sentence for the person
-  std::span<const float> displacements;     // mm, x y z of every point of StationObserver::prepare() in turn
-  const LivePicture* ultrasound = nullptr;  // the newest picture; null: no ultrasound
-  bool probe_is_held = false;               // the second hand holds the ultrasound probe
-  bool plunger_pressed = false;             // the thumb is on the plunger of the case's syringe
+  std::string message;                    // the newest sentence for the person
+  std::span<const float> displacements;   // mm, x y z of every point of StationObserver::prepare()
+  const LiveImage* ultrasound = nullptr;  // the newest image; null: no ultrasound
+  bool probe_is_held = false;             // the second hand holds the ultrasound probe
+  bool plunger_pressed = false;           // the thumb is on the plunger of the case's syringe
 };
 
-// What watches and steers a running session: a window, a terminal, a server, a test. All calls come from the thread
-// that runs the station; none is needed.
+// Observer and controller of a running session: a window, a terminal, a server, a test. All calls come from the
+// thread that runs the station; no override is required.
 class StationObserver {
  public:
   virtual ~StationObserver() = default;
 
   // For the work before the start.
   virtual Progress progress() { return {}; }
-  // A sentence for the person: what was assumed, what happened.
+  // A sentence for the person: an assumption, an event.
   virtual void note(const std::string& /*sentence*/) {}
   // Once, before any device opens. `patient` and `body` (null: rigid) stay valid while the station lives. Returns the
-  // points (LPS mm, at rest) whose displacements are wanted in every status.
+  // points (LPS mm, at rest) whose displacements are required in every status.
   virtual std::vector<Vec3> prepare(const anatomy::Case& /*patient*/, const fem::BodyDescription* /*body*/) {
     return {};
   }
   // Time between two calls of update().
   virtual std::chrono::milliseconds interval() const { return std::chrono::milliseconds(100); }
-  // While the session runs. May give the station commands.
+  // While the session runs. May send commands to the station.
   virtual void update(Station& /*station*/, const StationStatus& /*status*/) {}
 };
 

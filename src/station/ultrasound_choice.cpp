@@ -10,7 +10,7 @@ namespace bodkin::station {
 
 namespace {
 
-constexpr double rigid_enough = 1e-3;  // by which the columns of a rotation may miss length one and right angles
+constexpr double rigid_enough = 1e-3;  // by which a rotation's columns may deviate from unit length and right angles
 
 }  // namespace
 
@@ -25,7 +25,7 @@ imaging::ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const anatomy::C
     request.at = imaging::place_named(patient, choice.at_name);
     if (!request.at) {
       throw InputError(
-          fmt::format("--at is '{}', which is no landmark or structure of the case; expected one of them ('bodkin "
+          fmt::format("--at is '{}', which is not a landmark or structure of the case; expected one of them ('bodkin "
                       "case show' names "
                       "them) or x,y,z in LPS mm",
                       choice.at_name));
@@ -36,7 +36,7 @@ imaging::ProbeOnSkin hold_probe(const UltrasoundChoice& choice, const anatomy::C
   return hand;
 }
 
-imaging::NeedleInSound needle_on_path(const anatomy::Case& patient, const std::optional<double>& depth) {
+imaging::NeedleInUltrasound needle_on_path(const anatomy::Case& patient, const std::optional<double>& depth) {
   const std::optional<anatomy::NeedlePath>& path = patient.description.procedure.path;
   if (!path) throw InputError("the case has no planned path for --needle; make one with --entry and --target");
   const double inside = depth.value_or(path->length());
@@ -54,13 +54,13 @@ Pose parse_pose(const std::vector<double>& numbers, const std::string& origin) {
   const Mat3 turn = pose.linear();
   const bool rigid = (turn.transpose() * turn - Mat3::Identity()).cwiseAbs().maxCoeff() < rigid_enough;
   if (!rigid || !last_row || turn.determinant() < 0.0 || !pose.matrix().allFinite()) {
-    throw InputError(
-        fmt::format("{} is no rigid placement, expected a rotation without scaling or mirroring, with the place in "
-                    "mm in the fourth "
-                    "column",
-                    origin));
+    throw InputError(fmt::format(
+        "{} is not a rigid placement, expected a rotation without scaling or mirroring, with the place in "
+        "mm in the fourth "
+        "column",
+        origin));
   }
-  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();  // what rounding in a text took away
+  pose.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();  // restores digits lost in a text
   return pose;
 }
 

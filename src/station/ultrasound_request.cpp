@@ -38,7 +38,7 @@ std::pair<int, int> parse_picture_size(const std::string& text) {
       fmt::format("--size is '{}'; expected WIDTHxHEIGHT of 16 to 4096 pixels each such as 820x616", text));
 }
 
-// The pose that was given number by number or direction by direction; nothing when the view is to find one.
+// The pose given by numbers or directions; nothing if the view shall find one.
 std::optional<Pose> given_pose(const UltrasoundRequest& request) {
   const bool directions = !request.face.empty() || !request.look.empty() || !request.marked.empty();
   const bool view = !request.view.empty() || !request.at.empty() || !request.from.empty();
@@ -150,7 +150,7 @@ UltrasoundChoice choose_ultrasound(const UltrasoundRequest& request) {
   if (request.mark != "left" && request.mark != "right") {
     throw InputError(fmt::format("--mark is '{}'; expected left or right", request.mark));
   }
-  choice.mark = request.mark == "left" ? imaging::MarkSide::left : imaging::MarkSide::right;
+  choice.mark = request.mark == "left" ? imaging::OrientationMarkerSide::left : imaging::OrientationMarkerSide::right;
   const auto [width, height] = parse_picture_size(request.size);
   choice.detail.width = width;
   choice.detail.height = height;
@@ -177,7 +177,7 @@ UltrasoundChoice choose_ultrasound(const UltrasoundRequest& request) {
   return choice;
 }
 
-std::optional<imaging::NeedleInSound> needle_of(const UltrasoundRequest& request, const anatomy::Case& patient) {
+std::optional<imaging::NeedleInUltrasound> needle_of(const UltrasoundRequest& request, const anatomy::Case& patient) {
   if (!request.needle) return std::nullopt;
   return needle_on_path(patient, request.needle_depth);
 }
@@ -195,7 +195,7 @@ UltrasoundRequest ultrasound_request(const std::string& text) {
     for_each_field(request, [&json](const char* name, auto& value) { read_field(json, name, value); });
     return request;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("what the ultrasound shall be is no JSON that says so: {}", error.what()));
+    throw InputError(fmt::format("the description of the ultrasound is not valid JSON: {}", error.what()));
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace bodkin::station {
 
-// A probe, its place and the machine's knobs in the words of a person: what the options of `bodkin ultrasound` say,
-// by the same names. Empty texts and absent numbers are found: by the view, the probe or the case.
+// A probe, its place and the machine's settings as a person states them: the options of `bodkin ultrasound`, with the
+// same names. Empty texts and absent numbers are derived from the view, the probe or the case.
 struct UltrasoundRequest {
   std::string probe = "C5-2", probes;  // a name; a file of probes, empty: those that come with Bodkin
   std::string pose, face, look, marked;
@@ -23,13 +23,13 @@ struct UltrasoundRequest {
   bool needle = false;
 };
 
-// What it means. Throws InputError naming the option.
+// Interprets a request. Throws InputError naming the option.
 UltrasoundChoice choose_ultrasound(const UltrasoundRequest& request);
 
-// The needle that it wants in the patient; nothing without `needle`. Throws InputError when the case has no path.
-std::optional<imaging::NeedleInSound> needle_of(const UltrasoundRequest& request, const anatomy::Case& patient);
+// The requested needle in the patient; empty without `needle`. Throws InputError when the case has no path.
+std::optional<imaging::NeedleInUltrasound> needle_of(const UltrasoundRequest& request, const anatomy::Case& patient);
 
-// As JSON, by which one program gives it to another; throws InputError when `text` is none.
+// As JSON, for passing it to another program; throws InputError for an invalid `text`.
 std::string to_json(const UltrasoundRequest& request);
 UltrasoundRequest ultrasound_request(const std::string& text);
 

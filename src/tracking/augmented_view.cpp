@@ -40,8 +40,9 @@ Similarity composed(const Pose& outer, const Similarity& inner) {
   return made;
 }
 
-// What is at a place (LPS mm) now.
-anatomy::TissueId tissue_at(const anatomy::Case& patient, const Vec3& place, const imaging::MovedTissue* moved) {
+// The tissue now at a place (LPS mm).
+anatomy::TissueId tissue_at(const anatomy::Case& patient, const Vec3& place,
+                            const imaging::TissueDisplacement* moved) {
   return anatomy::nearest(patient.tissues, moved != nullptr ? moved->at_rest(place) : place, anatomy::tissue::air);
 }
 
@@ -57,7 +58,7 @@ double end_of_hub(const MarkerBody& body) {
   return end;
 }
 
-// The faces of a body stay as the camera saw them.
+// The faces of a body remain as the camera saw them.
 void keep_in_front(const ShownBody& tool, const CameraModel& camera, const imaging::ImageRgb& before,
                    imaging::ImageRgb& picture) {
   for (const MarkerFace& face : tool.body->faces) {
@@ -129,7 +130,7 @@ Vec3 AugmentedView::region() const {
   return patient_.ct.grid.to_patient(0.5 * Vec3(size[0] - 1, size[1] - 1, size[2] - 1));
 }
 
-// Pixels by which the patient around the region moves from one place to another, at most.
+// Maximum displacement in pixels of the patient around the region between two places.
 double AugmentedView::moved(const Similarity& from, const Similarity& to) const {
   constexpr double around = 80.0;  // mm
   double most = 0.0;
@@ -142,8 +143,8 @@ double AugmentedView::moved(const Similarity& from, const Similarity& to) const 
   return most;
 }
 
-// Tells the rays how the tissue has moved; whether that is otherwise than when they were cast last.
-bool AugmentedView::press(const imaging::MovedTissue* tissue) {
+// Gives the rays the tissue's displacements; true if these have changed since the last cast.
+bool AugmentedView::press(const imaging::TissueDisplacement* tissue) {
   const bool known = tissue != nullptr && cast_tissue_.has_value();
   if (known ? tissue->most_difference(*cast_tissue_) <= unseen_press
             : (tissue != nullptr) == cast_tissue_.has_value())
@@ -159,10 +160,10 @@ bool AugmentedView::press(const imaging::MovedTissue* tissue) {
   return true;
 }
 
-// The rays of a picture before are used again where neither the patient nor his tissue has moved; while one of them
-// moves they are half as dense in both directions.
+// The rays of an earlier image are reused if neither the patient nor his tissue has moved; while either moves they
+// are half as dense in both directions.
 void AugmentedView::draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
-                                 const imaging::MovedTissue* tissue) {
+                                 const imaging::TissueDisplacement* tissue) {
   const bool pressed = press(tissue);
   if (pressed) cast_at_.reset();
   const bool still = !last_ || (!pressed && moved(*last_, camera_from_patient) <= unseen_motion);
@@ -197,7 +198,7 @@ void AugmentedView::draw_patient(imaging::ImageRgb& picture, const Similarity& c
 
 std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) const {
   if (in_camera.z() < 10.0) return std::nullopt;
-  // Far outside of the picture the lens' polynomial folds back.
+  // Far outside the image the lens's polynomial folds back.
   const Eigen::Vector2d slope = in_camera.head<2>() / in_camera.z();
   if (slope.norm() > 1.5 * std::hypot(0.5 * camera_.width / camera_.fx, 0.5 * camera_.height / camera_.fy))
     return std::nullopt;
@@ -205,7 +206,7 @@ std::optional<Eigen::Vector2d> AugmentedView::pixel_of(const Vec3& in_camera) co
 }
 
 void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequin,
-                         const std::vector<ShownBody>& tools, const imaging::MovedTissue* moved) {
+                         const std::vector<ShownBody>& tools, const imaging::TissueDisplacement* moved) {
   needle_.reset();
   is_shown_ = false;
   cast_seconds_ = 0.0;
@@ -262,7 +263,7 @@ void AugmentedView::draw(imaging::ImageRgb& picture, const TrackedPose* mannequi
 
 void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
                                const TrackedPose* needle, const MarkerBody* needle_body,
-                               const imaging::MovedTissue* moved) {
+                               const imaging::TissueDisplacement* moved) {
   imaging::Canvas canvas(picture.width, picture.height);
   if (look_.plan && patient_.description.procedure.path) {
     const anatomy::NeedlePath& path = *patient_.description.procedure.path;
@@ -301,7 +302,7 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
         inside.depth += piece;
         if (const anatomy::TissueProperties* tissue = patient_.library.find(id)) colour = tissue->colour;
       }
-      // The nearer to the camera, the thicker.
+      // Thicker when nearer to the camera.
       shaft.push_back({*first, *last, std::clamp(2.4 * camera_.fx / from.z(), 2.0, 9.0), colour});
     }
     // A dark rim, below all of them, sets it off. Each begins a pixel early, so that no rim is seen between two.
@@ -326,7 +327,7 @@ void AugmentedView::draw_tools(imaging::ImageRgb& picture, const Similarity& cam
 }
 
 // The CT as seen from the front with a crosshair at the needle's tip.
-void AugmentedView::draw_front_view(imaging::ImageRgb& picture, const imaging::MovedTissue* moved) const {
+void AugmentedView::draw_front_view(imaging::ImageRgb& picture, const imaging::TissueDisplacement* moved) const {
   const double side = 0.3 * picture.height, extent = 140.0;  // px, mm
   const imaging::SlicePlane plane =
       imaging::view_plane(imaging::View::coronal, needle_->tip, extent, extent, extent / side);

@@ -10,12 +10,12 @@
 
 #include "anatomy/case.h"
 #include "imaging/image_rgb.h"
-#include "imaging/moved_tissue.h"
+#include "imaging/tissue_displacement.h"
 #include "imaging/volume_rendering/cutaway.h"
 
 namespace bodkin::tracking {
 
-// What stands over the camera's picture.
+// The overlay of the camera's image.
 struct AugmentedLook {
   Eigen::Vector2d radii{150.0, 185.0};  // of the oval, pixels
   double threshold = 0.7;               // see imaging::CutawayOval
@@ -34,48 +34,48 @@ struct NeedleInPatient {
   double depth = 0.0;  // mm of the shaft within the patient
 };
 
-// A body as a picture shows it.
+// A body as drawn in an image.
 struct ShownBody {
   const MarkerBody* body = nullptr;
   const TrackedPose* pose = nullptr;
 };
 
-// The camera's picture with a cutaway into the patient exactly where the mannequin is (Sutherland et al. 2013).
+// The camera's image with a cutaway into the patient exactly where the mannequin is (Sutherland et al. 2013).
 class AugmentedView {
  public:
-  // `mannequin_from_patient`: where the patient lies in the frame of the body named "mannequin".
+  // `mannequin_from_patient`: placement of the patient in the frame of the body named "mannequin".
   AugmentedView(const anatomy::Case& patient, const CameraModel& camera, const Similarity& mannequin_from_patient,
                 const AugmentedLook& look = {});
 
-  // Draws upon `picture`, which has the camera's size, what the poses of that same picture say. `tools`: what is held
-  // before the mannequin and hides the cutaway; the one named "needle" is drawn to its tip. A body that is lost is
-  // not drawn; its status is written instead, and the pose it had before is never used. The rays are cast anew unless
-  // the patient lies within a tenth of a pixel of where he lay when they were cast. `moved`: how his tissue has moved
-  // (null: not at all), which the cutaway, the planned path, the view from the front and the needle's tissues follow.
+  // Draws on `picture`, which has the camera's size, according to the poses of the same image. `tools`: objects held
+  // in front of the mannequin that hide the cutaway; the one named "needle" is drawn to its tip. A lost body is not
+  // drawn; its status is written instead, and its earlier pose is never used. The rays are cast anew unless the
+  // patient lies within a tenth of a pixel of his position at the last cast. `moved`: the displacement of his tissue
+  // (null: none), which the cutaway, the planned path, the view from the front and the needle's tissues follow.
   void draw(imaging::ImageRgb& picture, const TrackedPose* mannequin, const std::vector<ShownBody>& tools,
-            const imaging::MovedTissue* moved = nullptr);
+            const imaging::TissueDisplacement* moved = nullptr);
 
   void set_look(const AugmentedLook& look);
 
-  // Of the last picture.
+  // Of the last image.
   const std::optional<NeedleInPatient>& needle() const { return needle_; }
-  // Null: there is none in it.
+  // Null: no cutaway in the image.
   const imaging::Cutaway* cutaway() const { return is_shown_ ? &cutaway_ : nullptr; }
-  // Its oval is so large that it is cast at half the resolution, however still it is (imaging::cast_cutaway).
+  // Whether its oval is so large that it is always cast at half the resolution (imaging::cast_cutaway).
   bool is_large() const { return is_shown_ && cutaway_.large; }
-  // s that the rays took; 0: those of a picture before were used again.
+  // s for casting the rays; 0: those of an earlier image were reused.
   double cast_seconds() const { return cast_seconds_; }
 
  private:
   void draw_tools(imaging::ImageRgb& picture, const Similarity& camera_from_patient, const TrackedPose* needle,
-                  const MarkerBody* needle_body, const imaging::MovedTissue* moved);
-  void draw_front_view(imaging::ImageRgb& picture, const imaging::MovedTissue* moved) const;
+                  const MarkerBody* needle_body, const imaging::TissueDisplacement* moved);
+  void draw_front_view(imaging::ImageRgb& picture, const imaging::TissueDisplacement* moved) const;
   std::optional<Eigen::Vector2d> pixel_of(const Vec3& in_camera) const;
   Vec3 region() const;
   double moved(const Similarity& from, const Similarity& to) const;
-  bool press(const imaging::MovedTissue* tissue);
+  bool press(const imaging::TissueDisplacement* tissue);
   void draw_patient(imaging::ImageRgb& picture, const Similarity& camera_from_patient,
-                    const imaging::MovedTissue* tissue);
+                    const imaging::TissueDisplacement* tissue);
 
   const anatomy::Case& patient_;
   CameraModel camera_;
@@ -86,16 +86,16 @@ class AugmentedView {
   ThreadPool pool_;
   std::vector<Eigen::Vector2f> rays_;  // of the lens, for every pixel
   std::optional<NeedleInPatient> needle_;
-  imaging::ImageRgb before_;  // the camera's picture without what is drawn upon it
+  imaging::ImageRgb before_;  // the camera's image without the overlay
   imaging::Cutaway cutaway_;
   bool is_shown_ = false, coarse_by_motion_ = false;
   double cast_seconds_ = 0.0;
-  std::optional<Similarity> cast_at_, last_;         // camera from patient: of the cutaway, and of the picture before
-  std::optional<imaging::MovedTissue> cast_tissue_;  // of the cutaway; nothing: it rested
-  int at_rest_ = 0;                                  // pictures in a row
+  std::optional<Similarity> cast_at_, last_;  // camera from patient: of the cutaway, and of the previous image
+  std::optional<imaging::TissueDisplacement> cast_tissue_;  // of the cutaway; empty: at rest
+  int at_rest_ = 0;                                         // consecutive images
 };
 
-// placed_along() the patient's path; without one its CT's middle lies there.
+// placed_along() the patient's path; without a path, the middle of its CT is placed there.
 Similarity placed_at(const anatomy::Case& patient, const Vec3& at);
 
 }  // namespace bodkin::tracking

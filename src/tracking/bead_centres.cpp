@@ -49,7 +49,7 @@ std::vector<Bead> find_beads(const anatomy::CtVolume& ct, const BeadSearch& sear
           const auto n = static_cast<std::size_t>(a);
           extent[a] = (high[n] - low[n] + 1) * grid.spacing[a];
         }
-        // A voxel more or less is the lattice's doing.
+        // A voxel more or less is an effect of the lattice.
         if (extent.maxCoeff() - extent.minCoeff() > 1.5 * grid.spacing.maxCoeff() + 0.25 * extent.maxCoeff())
           continue;
         // The rim, whose voxels the bead fills in part, belongs to the centroid: one voxel around, by its share.
@@ -71,7 +71,7 @@ std::vector<Bead> find_beads(const anatomy::CtVolume& ct, const BeadSearch& sear
         } else {
           outside = search.threshold;
         }
-        // A tenth of the step is noise or the tissue beside the bead.
+        // A tenth of the step is noise or tissue beside the bead.
         const double floor = std::min(outside + 0.1 * (inside - outside), search.threshold);
         Vec3 sum = Vec3::Zero();
         double weights = 0.0;

@@ -13,14 +13,14 @@ struct Bead {
   double radius = 0.0;         // mm, of a ball of the same volume
 };
 
-// What counts as a bead.
+// Criteria for a bead.
 struct BeadSearch {
-  double threshold = 300.0;                      // HU; voxels weigh by what they exceed it
+  double threshold = 300.0;                      // HU; voxels are weighted by their excess over it
   double least_radius = 0.8, most_radius = 4.0;  // mm
 };
 
 // The centres of the beads of a CT, by the weighted centroid of each connected bright part that is as large as a bead
-// and as long as wide: bone is neither. From the largest to the smallest.
+// and equally long and wide, which excludes bone. From the largest to the smallest.
 std::vector<Bead> find_beads(const anatomy::CtVolume& ct, const BeadSearch& search = {});
 
 }  // namespace bodkin::tracking

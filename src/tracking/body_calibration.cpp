@@ -17,7 +17,7 @@ namespace {
 
 constexpr double most_face_residual = 0.06;
 
-// How shift and turn of the body, in camera axes, move a face whose origin lies at `arm` from the body's.
+// Effect of a shift and rotation of the body, in camera axes, on a face whose origin lies at `arm` from the body's.
 Matrix6 moved_by_body(const Vec3& arm) {
   Matrix6 slope = Matrix6::Identity();
   slope(0, 4) = arm.z();
@@ -34,7 +34,7 @@ Matrix6 moved_by_body(const Vec3& arm) {
 BodyCalibration::BodyCalibration(const CameraModel& camera, MarkerBody body)
     : body_(std::move(body)), refinement_(camera) {}
 
-int BodyCalibration::add(const GreyPicture& picture) {
+int BodyCalibration::add(const GreyImage& picture) {
   const std::vector<FoundMarker> found = search_markers(picture);
   const std::vector<StartPose> starts = start_poses(refinement_.camera(), body_, found);
   std::vector<Seen> seen;
@@ -49,7 +49,7 @@ int BodyCalibration::add(const GreyPicture& picture) {
       const Pose start = starts.front().camera_from_body * body_.faces[f].place;
       const RefinedPose refined = refinement_.refine(picture, alone, ids, start, 8);
       if (!refined.sound || refined.residual > most_face_residual) continue;
-      // The other planar solution lies far from what the body says.
+      // The other planar solution is far from the body's pose.
       if (Eigen::AngleAxisd(refined.camera_from_body.linear().transpose() * start.linear()).angle() > 6.0 * degree)
         continue;
       seen.push_back({f, refined.camera_from_body, inverse_of(refined.covariance)});
@@ -75,7 +75,7 @@ CalibratedBody BodyCalibration::solve(int least) const {
     if (body_.faces[f].id < 0) continue;
     if (times[f] < least) {
       throw InputError(
-          fmt::format("marker {} of body \"{}\" was seen beside another one in {} pictures; {} are needed, so "
+          fmt::format("marker {} of body \"{}\" was seen together with another one in {} pictures; {} are needed, so "
                       "turn it towards the camera more often",
                       body_.faces[f].id, body_.name, times[f], least));
     }

@@ -14,7 +14,7 @@ namespace bodkin::tracking {
 namespace {
 
 constexpr int first_marker = 22;
-constexpr double share_of_square = 0.74;  // a margin of a cell and a little is left
+constexpr double share_of_square = 0.74;  // which leaves a margin of slightly more than a cell
 
 bool is_black(int column, int row) {
   return (column + row) % 2 == 0;
@@ -60,14 +60,14 @@ Vec3 CalibrationBoard::corner(int index) const {
   return square * Vec3(column + 1 - 0.5 * columns, row + 1 - 0.5 * rows, 0.0);
 }
 
-std::vector<FoundCorner> find_corners(const GreyPicture& picture, const CalibrationBoard& board,
+std::vector<FoundCorner> find_corners(const GreyImage& picture, const CalibrationBoard& board,
                                       const std::vector<FoundMarker>& markers) {
   const MarkerBody body = board.body();
   std::vector<FoundCorner> found;
   std::vector<cv::Point2f> at;
   double smallest = 1e9;
   for (int index = 0; index < board.corner_count(); ++index) {
-    // From the two markers beside it, which are near enough for the lens to matter little.
+    // Located from the two adjacent markers, which are so close that lens distortion is negligible.
     const Vec3 corner = board.corner(index);
     std::vector<cv::Point2d> on_board, seen;
     for (const FoundMarker& marker : markers) {

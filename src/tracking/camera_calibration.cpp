@@ -22,9 +22,9 @@ constexpr int fields_across = 6, fields_down = 4;
 constexpr double nearly_same = 0.012;  // of the picture's width, RMS of the corners
 constexpr double wanted_coverage = 0.75;
 constexpr std::size_t most_light_views = 5, most_light_markers = 6;
-constexpr double most_light_ratio = 1.6;  // of a picture's residual over that of the middle one
+constexpr double most_light_ratio = 1.6;  // of an image's residual over that of the middle one
 
-// RMS by which corners that both show moved; negative when there are too few.
+// RMS motion of the corners visible in both; negative if there are too few.
 double shift_between(const std::vector<FoundCorner>& a, const std::vector<FoundCorner>& b) {
   double sum = 0.0;
   int count = 0;
@@ -38,7 +38,7 @@ double shift_between(const std::vector<FoundCorner>& a, const std::vector<FoundC
   return count < least_corners / 2 ? -1.0 : std::sqrt(sum / count);
 }
 
-// The place of the least value in [low, high], to a thirtieth of it.
+// The place of the minimum in [low, high], to a thirtieth of it.
 template <typename Function>
 double least_of(double low, double high, const Function& value) {
   constexpr double golden = 0.381966;
@@ -79,7 +79,7 @@ std::string_view name_of(PictureUse use) {
 CameraCalibration::CameraCalibration(const CalibrationBoard& board, const CalibrationOptions& options)
     : board_(board), body_(board.body()), options_(options) {}
 
-PictureUse CameraCalibration::add(const GreyPicture& picture) {
+PictureUse CameraCalibration::add(const GreyImage& picture) {
   if (width_ == 0) {
     width_ = picture.width;
     height_ = picture.height;
@@ -151,9 +151,8 @@ CalibratedCamera CameraCalibration::solve() const {
   }
   if (tilted() < 3) {
     throw InputError(
-        "the board faces the camera in nearly all pictures, which leaves focal length and distance open; tilt it by "
-        "20 "
-        "to 45 degrees in all directions");
+        "the board faces the camera in nearly all pictures, so focal length and distance are undetermined; tilt it "
+        "by 20 to 45 degrees in all directions");
   }
   std::vector<const View*> used;
   for (const View& view : views_) used.push_back(&view);
@@ -161,7 +160,7 @@ CalibratedCamera CameraCalibration::solve() const {
   for (int turn = 0; turn < 2; ++turn) {
     fit_lens(used, made);
     fit_light(used, made);
-    // What was blurred by motion looks unlike its model, although its corners may fit.
+    // An image blurred by motion differs from its model, although its corners may fit.
     const std::vector<double> residuals = light_residuals(made.camera, used);
     std::vector<double> sorted = residuals;
     std::sort(sorted.begin(), sorted.end());
@@ -178,14 +177,14 @@ CalibratedCamera CameraCalibration::solve() const {
   made.refused = kept() - made.pictures;
   if (made.residual > 1.5) {
     throw InputError(
-        fmt::format("the corners of the board fit no lens: {:.2f} pixels are left, where 0.1 to 0.5 are "
+        fmt::format("the corners of the board fit no lens: the residual is {:.2f} pixels, where 0.1 to 0.5 are "
                     "usual; is the print flat, and the focus fixed?",
                     made.residual));
   }
   return made;
 }
 
-// Views whose corners fit badly are taken out of `used`.
+// Views whose corners fit badly are removed from `used`.
 void CameraCalibration::fit_lens(std::vector<const View*>& used, CalibratedCamera& made) const {
   for (int turn = 0; turn < 3; ++turn) {
     std::vector<std::vector<cv::Point3f>> on_board;
@@ -267,7 +266,7 @@ void CameraCalibration::fit_light(const std::vector<const View*>& views, Calibra
     Sheet sheet = sheet_of(made.camera, *views[i]);
     if (!sheet.ids.empty()) sheets.push_back(std::move(sheet));
   }
-  // Half of the worse pictures may be blurred by motion: the middle of all counts. Poses go along with the light.
+  // The worse half of the images may be blurred by motion: the median counts. Poses are fitted with the light.
   const auto left_over = [&](double exponent, double contrast, double blur) {
     refinement.set_light({exponent, contrast}, blur);
     std::vector<double> residuals;
@@ -290,7 +289,7 @@ void CameraCalibration::fit_light(const std::vector<const View*>& views, Calibra
     contrast = least_of(0.0, 0.8, [&](double value) { return left_over(exponent, value, blur); });
   }
   double residual = left_over(exponent, contrast, blur);
-  // The standard's own curve, when it explains the pictures as well.
+  // The standard's own curve, if it explains the images equally well.
   const double blur_of_standard = least_of(0.3, 3.0, [&](double value) { return left_over(0.0, 0.0, value); });
   const double standard = left_over(0.0, 0.0, blur_of_standard);
   if (standard < 1.02 * residual) {

@@ -10,12 +10,12 @@ namespace bodkin::tracking {
 
 namespace {
 
-// Pose, tone curve, blur and focal length are those of the whole body, gain and offset of the light of one face; last
-// comes the residual.
+// Pose, tone curve, blur and focal length are those of the whole body, gain and offset of the light those of one
+// face; last comes the residual.
 constexpr int of_pose = 6, tone_at = 6, blur_at = 7, focal_at = 8, shared = 9, of_light = 4,
               residual = shared + of_light;
-constexpr double wider = 1.2;            // of the variance, to see how the pattern changes with it
-constexpr double focal_deviation = 0.1;  // before anything is seen: a single marker says nothing
+constexpr double wider = 1.2;            // of the variance, to measure how the pattern changes with it
+constexpr double focal_deviation = 0.1;  // before any data: a single marker says nothing
 constexpr double by_chance = 5.0;        // standard deviations
 
 using Numbers = Eigen::Matrix<double, residual + 1, 1>;
@@ -47,7 +47,7 @@ void add_face(const FacePattern& face, const Pose& place, const std::vector<Patt
     edge_weights += x.head<2>().norm();
     x[tone_at] = gain * m * (1.0 - m);
     x[blur_at] = gain * (static_cast<double>(blurred[same].model) - m) / by_blur;
-    // Another focal length is as if every point lay further from the camera's axis by that share.
+    // A different focal length acts as if every point lay farther from the camera's axis by that fraction.
     const Vec3 at = place * Vec3(half * u, half * v, 0.0);
     x[focal_at] = x.head<3>().dot(to_face * Vec3(at.x(), at.y(), 0.0));
     x.segment<of_light>(shared) << m, m * u, m * v, 1.0;
@@ -72,7 +72,7 @@ bool Estimate::exceeds(double limit) const {
   return std::abs(value) > limit && std::abs(value) > by_chance * deviation;
 }
 
-CameraMisfit camera_misfit(const PatternCamera& camera, const GreyPicture& picture,
+CameraMisfit camera_misfit(const PatternCamera& camera, const GreyImage& picture,
                            const std::vector<FacePattern>& faces, const Pose& camera_from_body, int stride) {
   PatternCamera blurred = camera;
   blurred.variance *= wider;

@@ -2,35 +2,35 @@
 
 #include <vector>
 
-#include "tracking/grey_picture.h"
+#include "tracking/grey_image.h"
 #include "tracking/pattern_rows.h"
 
 #include "core/geometry.h"
 
 namespace bodkin::tracking {
 
-// A number that was estimated, and its standard deviation; both 0 where it was not.
+// An estimated number and its standard deviation; both 0 if not estimated.
 struct Estimate {
   double value = 0.0, deviation = 0.0;
 
-  // It is further than `limit` from 0, and not by chance.
+  // Whether it is farther than `limit` from 0, significantly.
   bool exceeds(double limit) const;
 };
 
-// How a picture of a body differs from what the calibrated camera would make of it. The numbers are found together
-// with the body's pose and the light on it, so that what these explain does not count.
+// The differences of an image of a body from the prediction by the calibrated camera. They are estimated together
+// with the body's pose and its lighting, so that differences explained by these do not count.
 struct CameraMisfit {
-  // The tone curve: grey is too bright by this times m (1 - m) of the step from black to white, m being what the
-  // pattern predicts from 0 to 1.
+  // The tone curve: grey is too bright by this times m (1 - m) of the step from black to white, m being the
+  // prediction of the pattern from 0 to 1.
   Estimate tone;
-  // Variance of the blur over the camera's, pixels squared; less than 0 where the picture is sharper.
+  // Excess of the blur's variance over the camera's, pixels squared; negative in a sharper image.
   Estimate blur;
-  // The focal length over the camera's, as a share of it. Only markers at different depths know it.
+  // Excess of the focal length over the camera's, as a fraction of it. Only markers at different depths determine it.
   Estimate focal;
 };
 
-// Of every `stride`-th pixel in both directions.
-CameraMisfit camera_misfit(const PatternCamera& camera, const GreyPicture& picture,
+// From every `stride`-th pixel in both directions.
+CameraMisfit camera_misfit(const PatternCamera& camera, const GreyImage& picture,
                            const std::vector<FacePattern>& faces, const Pose& camera_from_body, int stride);
 
 }  // namespace bodkin::tracking

@@ -11,7 +11,7 @@
 
 namespace bodkin::tracking {
 
-// How a camera turns light into grey levels. Light and level are shares of white, 0 to 1.
+// The conversion of light into grey levels by a camera. Light and level are fractions of white, 0 to 1.
 struct ToneCurve {
   double exponent = 0.0;  // level = light^(1 / exponent), 1 to 3; 0: the sRGB curve (IEC 61966-2-1)
   double contrast = 0.0;  // share of an S-curve (3 x^2 - 2 x^3) mixed in after that, 0 to 1
@@ -24,7 +24,7 @@ struct ToneCurve {
   bool operator==(const ToneCurve&) const = default;
 };
 
-// What a camera was locked to, in the units of its own driver; absent: it has no such control.
+// The locked controls of a camera, in the units of its driver; absent: it has no such control.
 struct CameraControls {
   std::optional<int> focus, exposure, gain, white_balance, sharpness;
 
@@ -42,9 +42,9 @@ struct CameraModel {
   double residual = 0.0;  // RMS of the calibration, pixels; 0: not calibrated from pictures
   CameraControls controls;
 
-  // The pixel that sees a point in front of the camera (z > 0).
+  // The pixel of a point in front of the camera (z > 0).
   Eigen::Vector2d project(const Vec3& point) const;
-  // The direction (x, y, 1) that a pixel sees.
+  // The direction (x, y, 1) of a pixel.
   Vec3 ray(const Eigen::Vector2d& pixel) const;
 
   bool operator==(const CameraModel&) const = default;

@@ -65,7 +65,7 @@ bool front(SeenSheet& seen, const MarkerFace& face, const Pose& camera_from_body
   return seen.left <= seen.right && seen.top <= seen.bottom;
 }
 
-// Light from the sheet where a ray meets it, negative where it does not; `depth` becomes the depth of what was met.
+// Light from the sheet where a ray meets it, negative if it does not; `depth` becomes the depth of the hit.
 float light_from(const SeenSheet& seen, const Vec3& ray, double& depth) {
   const Vec3 along = seen.to_face * ray;
   if (along.z() <= 1e-9) return -1.0F;
@@ -158,7 +158,7 @@ void blur(std::vector<float>& light, int width, int height, double sigma) {
   });
 }
 
-void sharpen(GreyPicture& picture, double share) {
+void sharpen(GreyImage& picture, double share) {
   std::vector<float> soft(picture.pixels.begin(), picture.pixels.end());
   blur(soft, picture.width, picture.height, 1.0);
   for (std::size_t i = 0; i < soft.size(); ++i) {
@@ -170,8 +170,8 @@ void sharpen(GreyPicture& picture, double share) {
 
 }  // namespace
 
-GreyPicture render_picture(const CameraModel& camera, const FootageLook& look, const std::vector<PlacedBody>& bodies,
-                           std::uint64_t seed) {
+GreyImage render_picture(const CameraModel& camera, const FootageLook& look, const std::vector<PlacedBody>& bodies,
+                         std::uint64_t seed) {
   const int width = camera.width, height = camera.height, samples = look.samples;
   const bool moves = std::any_of(bodies.begin(), bodies.end(), [](const PlacedBody& placed) {
     return placed.shift.norm() + placed.turn.norm() > 0.0;
@@ -210,7 +210,7 @@ GreyPicture render_picture(const CameraModel& camera, const FootageLook& look, c
           continue;
         }
         if (!have_rays) {
-          // Within a pixel the lens is as good as linear.
+          // Within a pixel the lens is practically linear.
           const Vec3 middle = camera.ray({x, y});
           const Vec3 by_x = camera.ray({x + 0.5, y}) - camera.ray({x - 0.5, y});
           const Vec3 by_y = camera.ray({x, y + 0.5}) - camera.ray({x, y - 0.5});
@@ -245,7 +245,7 @@ GreyPicture render_picture(const CameraModel& camera, const FootageLook& look, c
   std::array<std::uint8_t, 4096> levels{};
   for (std::size_t i = 0; i < levels.size(); ++i)
     levels[i] = static_cast<std::uint8_t>(std::lround(255.0 * camera.tone.level(static_cast<double>(i) / 4095.0)));
-  GreyPicture picture(width, height);
+  GreyImage picture(width, height);
   parallel_for(height, [&](int y) {
     Random random(mix64(seed) ^ mix64(static_cast<std::uint64_t>(y) + 1U));
     const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);

@@ -33,15 +33,15 @@ Pose pointing(const Vec3& origin, const Vec3& axis, double turned) {
   return pose;
 }
 
-constexpr double above_skin = 40.0;                 // mm, where a needle that follows a path begins
-constexpr double way_speed = 15.0;                  // mm/s
-constexpr double way_before = 0.5, way_rest = 1.5;  // s at rest above the skin, and at the end of the path
+constexpr double above_skin = 40.0;                          // mm, where a needle that follows a path begins
+constexpr double tip_speed = 15.0;                           // mm/s
+constexpr double pause_before = 0.5, pause_at_target = 1.5;  // s at rest above the skin, and at the end of the path
 
-// mm below the skin of a needle that follows a path.
+// Depth below the skin of a needle on a path, mm.
 double depth_at(double time, double path) {
-  const double arrives = way_before + (above_skin + path) / way_speed;
-  const double going = std::clamp(way_speed * (time - way_before), 0.0, above_skin + path);
-  const double leaving = std::clamp(2.0 * way_speed * (time - arrives - way_rest), 0.0, above_skin + path);
+  const double arrives = pause_before + (above_skin + path) / tip_speed;
+  const double going = std::clamp(tip_speed * (time - pause_before), 0.0, above_skin + path);
+  const double leaving = std::clamp(2.0 * tip_speed * (time - arrives - pause_at_target), 0.0, above_skin + path);
   return going - leaving - above_skin;
 }
 
@@ -54,7 +54,7 @@ std::vector<Pose> places_at(double time, const SceneOptions& options, const std:
   mannequin.linear() = (Eigen::AngleAxisd(tilt, Vec3(1.0, 0.35, 0.0).normalized()) *
                         Eigen::AngleAxisd(turned + 0.02 * swing * std::sin(0.5 * time), Vec3::UnitZ()))
                            .toRotationMatrix();
-  // The needle goes in and out by 30 mm about 30 mm of depth, and its hub turns.
+  // The needle moves in and out by 30 mm about a depth of 30 mm, and its hub turns.
   const double depth = options.path > 0.0 ? depth_at(time, options.path)
                                           : 30.0 - 30.0 * std::cos(1.2 * swing * time + (options.still ? 1.5 : 0.0));
   const Vec3 axis =
@@ -71,9 +71,9 @@ std::vector<Pose> places_at(double time, const SceneOptions& options, const std:
 
 }  // namespace
 
-double length_of_way(const SceneOptions& options) {
-  const double way = (above_skin + options.path) / way_speed;
-  return way_before + way + way_rest + 0.5 * way + way_before;
+double motion_duration(const SceneOptions& options) {
+  const double advance = (above_skin + options.path) / tip_speed;
+  return pause_before + advance + pause_at_target + 0.5 * advance + pause_before;
 }
 
 Vec3 scene_skin() {
@@ -127,7 +127,7 @@ Footage render_scene(const fs::path& folder, const SceneOptions& options, const 
       placed[1].shift = across * Vec3(0.8, 0.6, 0.0);
     }
     const std::uint64_t seed = options.seed * 1000003U + static_cast<std::uint64_t>(n);
-    const GreyPicture picture = render_picture(camera, look, placed, seed);
+    const GreyImage picture = render_picture(camera, look, placed, seed);
     write_file(folder / frame.file, imaging::encode_png(colour_of(picture)));
     nlohmann::ordered_json poses;
     for (std::size_t i = 0; i < bodies.size(); ++i) poses[bodies[i].name] = json_of(frame.camera_from_body[i]);

@@ -12,7 +12,7 @@
 
 namespace bodkin::tracking {
 
-// A teaching station before a camera: a mannequin with its board, a needle that goes into it and a probe.
+// A teaching station in front of a camera: a mannequin with its board, a needle that is inserted into it and a probe.
 struct SceneOptions {
   int frames = 60;     // 1 to 100000
   double rate = 30.0;  // pictures/s
@@ -29,20 +29,20 @@ struct SceneOptions {
   FootageLook look;
 };
 
-// s from the beginning of such a needle's way to its end.
-double length_of_way(const SceneOptions& options);
+// s from the start to the end of such a needle's motion.
+double motion_duration(const SceneOptions& options);
 
 // The middle of the mannequin's skin, from the middle of its board (mannequin frame, mm).
 Vec3 scene_skin();
 
-// A picture of footage and where everything really was.
+// An image of footage with the true poses.
 struct FootageFrame {
   std::string file;                    // within the folder
   double time = 0.0;                   // s
   std::vector<Pose> camera_from_body;  // truth, in the order of the bodies; empty for footage of a real camera
 };
 
-// Footage in a folder: pictures, and for a rendered one camera, bodies and truth.
+// Footage in a folder: images, and for rendered footage camera, bodies and true poses.
 struct Footage {
   std::filesystem::path folder;
   std::vector<FootageFrame> frames;
@@ -53,11 +53,11 @@ struct Footage {
 // Throws InputError when the folder exists and is not empty.
 Footage render_scene(const std::filesystem::path& folder, const SceneOptions& options, const Progress& progress = {});
 
-// A folder of pictures (.png, .jpg, .jpeg) as a source. With scene.json in it times and truth come from there;
-// without, pictures come in the order of their names, `rate` a second. Throws InputError when there is no picture.
+// A folder of images (.png, .jpg, .jpeg) as a source. With scene.json in it times and true poses come from there;
+// without, images come in the order of their names, `rate` per second. Throws InputError when there is no image.
 Footage open_footage(const std::filesystem::path& folder, double rate = 30.0);
 
-// A picture of footage. Throws InputError naming the file.
+// An image of footage. Throws InputError naming the file.
 imaging::ImageRgb read_picture(const std::filesystem::path& file);
 
 }  // namespace bodkin::tracking

@@ -60,7 +60,7 @@ std::string encode(const unsigned char* pixels, int width, int height, int parts
   return made;
 }
 
-// `sized(width, height)` returns where the pixels go.
+// `sized(width, height)` returns the destination of the pixels.
 template <typename Sized>
 void decode(std::string_view bytes, const std::string& origin, J_COLOR_SPACE space, const Sized& sized) {
   jpeg_decompress_struct info{};
@@ -88,7 +88,7 @@ void decode(std::string_view bytes, const std::string& origin, J_COLOR_SPACE spa
     jpeg_finish_decompress(&info);
   } catch (const InputError& error) {
     jpeg_destroy_decompress(&info);
-    throw InputError(fmt::format("{}: not a sound JPEG picture: {}", origin, error.what()));
+    throw InputError(fmt::format("{}: not a valid JPEG picture: {}", origin, error.what()));
   } catch (...) {
     jpeg_destroy_decompress(&info);
     throw;
@@ -98,7 +98,7 @@ void decode(std::string_view bytes, const std::string& origin, J_COLOR_SPACE spa
 
 }  // namespace
 
-std::string encode_jpeg(const GreyPicture& picture, int quality) {
+std::string encode_jpeg(const GreyImage& picture, int quality) {
   return encode(picture.pixels.data(), picture.width, picture.height, 1, quality);
 }
 
@@ -108,10 +108,10 @@ std::string encode_jpeg(const imaging::ImageRgb& picture, int quality) {
                 quality);
 }
 
-GreyPicture decode_jpeg_grey(std::string_view bytes, const std::string& origin) {
-  GreyPicture picture;
+GreyImage decode_jpeg_grey(std::string_view bytes, const std::string& origin) {
+  GreyImage picture;
   decode(bytes, origin, JCS_GRAYSCALE, [&](int width, int height) {
-    picture = GreyPicture(width, height);
+    picture = GreyImage(width, height);
     return picture.pixels.data();
   });
   return picture;

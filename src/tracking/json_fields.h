@@ -12,16 +12,16 @@
 
 namespace bodkin::tracking {
 
-// The JSON object in a file that holds a `what`. Throws InputError when there is none.
+// The JSON object in a file that contains a `what`. Throws InputError when there is none.
 nlohmann::json read_json_object(const std::filesystem::path& file, std::string_view what);
 
-// The fields of a JSON object. Each throws InputError, beginning with `where` ("bodies.json: body \"needle\""), when
-// a field is absent (and has no default) or is not what it should be.
+// The fields of a JSON object. Each function throws InputError, beginning with `where` ("bodies.json: body
+// \"needle\""), when a field is absent (and has no default) or is invalid.
 struct JsonFields {
   const nlohmann::json& object;
   std::string where;
 
-  // A field that is not among these is refused.
+  // Rejects fields other than these.
   void know(std::initializer_list<std::string_view> names) const;
   double number(std::string_view name, double low, double high, std::optional<double> otherwise = std::nullopt) const;
   std::string text(std::string_view name) const;

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t pictures = 30;  // a second of a usual camera
 constexpr double share = 0.8;         // of them in which no body fits
 constexpr double rest = 2.0;          // mm from one picture to the next
-constexpr int of_board = 4;           // markers seen at once; of a cube three are at most
+constexpr int of_board = 4;           // markers visible at once; at most three of a cube
 constexpr double most_focal = 0.005;  // share by which a board may say that the focal length is another
 
 template <typename Of>
@@ -44,8 +44,8 @@ void LensWatch::add(const std::vector<TrackedPose>& poses) {
   if (resting > 0) note_picture(all_, fitting == 0);
 }
 
-// By the mean of the estimates, each with the weight of what it knows. Their errors are those of the pictures' noise,
-// which is another in each.
+// By the mean of the estimates, weighted by their information. Their errors come from the images' noise, which is
+// independent.
 bool LensWatch::has_other_focal(const Board& board) {
   if (board.focal.size() < pictures) return false;
   double weights = 0.0, sum = 0.0;
@@ -60,12 +60,12 @@ bool LensWatch::has_other_focal(const Board& board) {
 std::string LensWatch::warning() const {
   if (lasts(all_)) {
     return "no body fits the picture although all rest: the lens, its focus or the light changed since the camera "
-           "was calibrated; calibrate it anew";
+           "was calibrated; calibrate it again";
   }
   if (std::any_of(boards_.begin(), boards_.end(),
                   [](const Board& board) { return lasts(board.disagreements) || has_other_focal(board); })) {
     return "a board of markers does not fit the picture although it rests: it is bent, or the lens or its focus "
-           "changed since the camera was calibrated; press it flat, else calibrate the camera anew";
+           "changed since the camera was calibrated; press it flat, or else calibrate the camera again";
   }
   return {};
 }

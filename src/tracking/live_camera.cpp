@@ -34,7 +34,7 @@ InputError refusal(const std::string& name, int reason) {
     case EACCES:
     case EPERM:
       return InputError(fmt::format(
-          "{}: you may not use this camera; join the group video with 'sudo adduser $USER video' and log in anew",
+          "{}: you may not use this camera; join the group video with 'sudo adduser $USER video' and log in again",
           name));
     default:
       return InputError(fmt::format("{}: the camera refuses: {}", name, std::strerror(reason)));
@@ -56,7 +56,7 @@ LiveCamera::LiveCamera(std::string name, const SourceOptions& options, std::uniq
       release();
       if (!busy_ || Clock::now() >= until) throw;
     }
-    std::this_thread::sleep_for(between_tries);  // a program that ends holds its camera for a moment
+    std::this_thread::sleep_for(between_tries);  // an ending program keeps its camera for a moment
   }
 }
 
@@ -154,7 +154,7 @@ void LiveCamera::lock(const std::optional<CameraControls>& wanted) {
   }
   if (const auto mode = get(V4L2_CID_EXPOSURE_AUTO)) {
     set(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL);
-    // Some cameras know shutter priority alone, which is as good.
+    // Some cameras support only shutter priority, which serves as well.
     if (get(V4L2_CID_EXPOSURE_AUTO) != V4L2_EXPOSURE_MANUAL)
       set(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_SHUTTER_PRIORITY);
     const int now = get(V4L2_CID_EXPOSURE_AUTO).value_or(V4L2_EXPOSURE_AUTO);
@@ -217,7 +217,7 @@ bool LiveCamera::decode(const Buffer& buffer, std::size_t used, SourcePicture& p
     try {
       const std::string_view text(reinterpret_cast<const char*>(bytes), used);
       picture.colour = decode_jpeg(text, name_);
-      // The luma as it was sent; through colours it would lose a level or two.
+      // The luma as sent; conversion through colours would lose a level or two.
       picture.grey = decode_jpeg_grey(text, name_);
     } catch (const InputError&) {
       return false;
@@ -225,7 +225,7 @@ bool LiveCamera::decode(const Buffer& buffer, std::size_t used, SourcePicture& p
     return picture.grey.width == width_ && picture.grey.height == height_;
   }
   if (used < static_cast<std::size_t>(row_bytes_) * static_cast<std::size_t>(height_)) return false;
-  picture.grey = GreyPicture(width_, height_);
+  picture.grey = GreyImage(width_, height_);
   picture.colour = imaging::ImageRgb(width_, height_);
   const auto level = [](double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); };
   for (int y = 0; y < height_; ++y) {
@@ -249,10 +249,10 @@ std::optional<SourcePicture> LiveCamera::next() {
       continue;
     } else if (refused != 0) {
       throw SystemError(refused == ETIME
-                            ? fmt::format("{}: no picture came for two seconds; is the cable sound?", name_)
+                            ? fmt::format("{}: no picture came for two seconds; is the cable intact?", name_)
                             : fmt::format("{}: the camera is gone; plug it in again", name_));
     }
-    // The newest: whoever draws slower than the camera sends must not fall behind.
+    // The newest: a display slower than the camera must not fall behind.
     std::optional<v4l2_buffer> newest;
     for (;;) {
       v4l2_buffer buffer{};
@@ -286,10 +286,10 @@ std::optional<SourcePicture> LiveCamera::next() {
 }
 
 std::vector<std::string> LiveCamera::notes() const {
-  std::vector<std::string> said;
+  std::vector<std::string> warnings;
   if (!has_fixed_exposure_)
-    said.push_back(name_ + ": the exposure of this camera cannot be fixed; keep the light steady");
-  return said;
+    warnings.push_back(name_ + ": the exposure of this camera cannot be fixed; keep the light steady");
+  return warnings;
 }
 
 }  // namespace bodkin::tracking

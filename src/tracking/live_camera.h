@@ -9,28 +9,28 @@
 
 namespace bodkin::tracking {
 
-// A camera through Video4Linux 2. Focus, exposure, gain and white balance are locked, sharpening is switched off: a
-// lens that focuses anew is another lens, and sharpening moves edges. A camera whose automatic focus cannot be
-// switched off is refused.
+// A camera through Video4Linux 2. Focus, exposure, gain and white balance are locked, sharpening is switched off:
+// refocusing changes the lens, and sharpening moves edges. A camera whose automatic focus cannot be switched off is
+// rejected.
 class LiveCamera : public PictureSource {
  public:
-  // `name`: the device file. A camera that another program uses is tried again for options.busy_patience. Throws
-  // InputError when it is missing, still busy, not allowed, no camera, has not the wanted size or cannot be locked as
-  // its calibration was.
+  // `name`: the device file. A camera in use by another program is tried again for options.busy_patience. Throws
+  // InputError when it is missing, still busy, not permitted, not a camera, lacks the requested size or cannot be
+  // locked as for its calibration.
   LiveCamera(std::string name, const SourceOptions& options, std::unique_ptr<VideoDevice> device);
   ~LiveCamera() override;
   LiveCamera(const LiveCamera&) = delete;
   LiveCamera& operator=(const LiveCamera&) = delete;
 
-  // The newest picture that the camera has; older ones that nobody took are dropped. `time`: of the driver's own
-  // stamp. A damaged picture is skipped. Throws SystemError when none comes for two seconds or it was unplugged.
+  // The newest image of the camera; older ones not read are dropped. `time`: of the driver's own time stamp. A
+  // damaged image is skipped. Throws SystemError when none arrives for two seconds or it was unplugged.
   std::optional<SourcePicture> next() override;
   int count() const override { return 0; }
   double rate() const override { return rate_; }
   CameraControls controls() const override { return controls_; }
   std::vector<std::string> notes() const override;
 
-  // Pictures that were not taken in time, and those that were damaged.
+  // Numbers of images not read in time, and of damaged ones.
   int dropped() const { return dropped_; }
   int damaged() const { return damaged_; }
 

@@ -7,7 +7,7 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/core.hpp>
 
-// OpenCV 4.7 moved ArUco into another library with another interface; this file is the only one that knows it.
+// OpenCV 4.7 moved ArUco into another library with another interface; only this file depends on it.
 #if CV_VERSION_MAJOR != 4 || CV_VERSION_MINOR > 6
 #error "bodkin::tracking is written for the ArUco module of OpenCV 4.5 and 4.6 (Debian 12)"
 #endif
@@ -48,7 +48,7 @@ void append_markers(const cv::Mat& part, const Eigen::Vector2d& shift, std::vect
   }
 }
 
-cv::Mat view_of(const GreyPicture& picture) {
+cv::Mat view_of(const GreyImage& picture) {
   // OpenCV only reads it.
   return {picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.pixels.data())};  // NOLINT
 }
@@ -68,13 +68,13 @@ std::array<std::array<bool, marker_cells>, marker_cells> marker_pattern(int id) 
   return pattern;
 }
 
-std::vector<FoundMarker> search_markers(const GreyPicture& picture) {
+std::vector<FoundMarker> search_markers(const GreyImage& picture) {
   std::vector<FoundMarker> found;
   append_markers(view_of(picture), Eigen::Vector2d::Zero(), found);
   return found;
 }
 
-std::vector<FoundMarker> search_markers(const GreyPicture& picture, const std::vector<PictureBox>& boxes) {
+std::vector<FoundMarker> search_markers(const GreyImage& picture, const std::vector<PictureBox>& boxes) {
   std::vector<FoundMarker> found;
   const cv::Mat whole = view_of(picture);
   for (const PictureBox& box : boxes) {
@@ -86,7 +86,7 @@ std::vector<FoundMarker> search_markers(const GreyPicture& picture, const std::v
   return found;
 }
 
-bool is_mirrored(const GreyPicture& picture) {
+bool is_mirrored(const GreyImage& picture) {
   const std::size_t as_it_is = search_markers(picture).size();
   cv::Mat flipped;
   cv::flip(view_of(picture), flipped, 1);

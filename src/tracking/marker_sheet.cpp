@@ -17,7 +17,7 @@ using imaging::Canvas;
 using imaging::Ink;
 using imaging::Path;
 
-// A page is drawn in points of typography, as PDF counts.
+// A page is drawn in typographic points, as in PDF.
 constexpr double mm = 72.0 / 25.4;
 constexpr double short_side = 210.0 * mm, long_side = 297.0 * mm;  // A4
 constexpr double border = 8.0 * mm, ruler_room = 22.0 * mm;
@@ -34,7 +34,7 @@ struct FlatFace {
   Eigen::Vector2d at(double x, double y) const { return middle + x * right + y * down; }
 };
 
-// The marked faces of a body about its first one, as a knife that leaves the shared edges would lay them flat.
+// The marked faces of a body around its first one, unfolded along the shared edges.
 std::vector<FlatFace> laid_flat(const MarkerBody& body) {
   std::vector<FlatFace> flat;
   const Pose* first = nullptr;
@@ -66,7 +66,7 @@ std::vector<FlatFace> laid_flat(const MarkerBody& body) {
 
 void draw_face(Canvas& canvas, const FlatFace& flat, bool folds) {
   const double cell = flat.side / marker_cells, half = 0.5 * flat.side, rim = 0.5 * flat.sheet;
-  // Black first, then the white cells: no hairline shows between cells.
+  // Black first, then the white cells: no hairlines show between cells.
   canvas.fill(Path::polygon({flat.at(-half, -half), flat.at(half, -half), flat.at(half, half), flat.at(-half, half)}),
               Ink(0x000000));
   if (flat.id < 0) return;
@@ -81,7 +81,7 @@ void draw_face(Canvas& canvas, const FlatFace& flat, bool folds) {
     }
   }
   if (!folds) return;
-  // Fold lines are light: black ones would lie within the margin that the camera looks at.
+  // Fold lines are light: black ones would lie within the margin used by the camera.
   canvas.stroke(Path::polygon({flat.at(-rim, -rim), flat.at(rim, -rim), flat.at(rim, rim), flat.at(-rim, rim)}),
                 {Ink(0xC8C8C8), 0.15 * mm, {2.0 * mm, 1.5 * mm}});
 }

@@ -13,7 +13,7 @@ constexpr int pictures_before_doubt = 30;
 constexpr std::size_t most_named = 6;  // markers
 }  // namespace
 
-void MarkerWatch::add(const Tracker& tracker, const GreyPicture& picture) {
+void MarkerWatch::add(const Tracker& tracker, const GreyImage& picture) {
   ++pictures_;
   const std::vector<TrackedPose>& poses = tracker.poses();
   seen_.resize(poses.size(), false);
@@ -32,7 +32,7 @@ void MarkerWatch::add(const Tracker& tracker, const GreyPicture& picture) {
   any_marker_ = any_marker_ || without_ == 0;
   if (!any_marker_) last_ = picture;
   if (without_ == 0) nothing_.clear();
-  // Not in each of them: it costs two searches of the whole picture.
+  // Not in every image: it costs two searches of the whole image.
   if (without_ > 0 && without_ % pictures_before_doubt == 0) nothing_ = why_nothing_was_found(source_, picture);
 
   const bool is_lost = std::any_of(poses.begin(), poses.end(),
@@ -52,7 +52,7 @@ void MarkerWatch::add(const Tracker& tracker, const GreyPicture& picture) {
   for (const int id : foreign) ++all_foreign_[id];
 }
 
-// Of markers that at least half of the pictures showed: what is taken for a marker by chance passes.
+// Only of markers in at least half of the images: false detections are transient.
 std::string MarkerWatch::sentence_about(const Counts& foreign, int pictures) const {
   std::string ids;
   std::size_t named = 0, all = 0;

@@ -4,43 +4,43 @@
 #include <string>
 #include <vector>
 
-#include "tracking/grey_picture.h"
+#include "tracking/grey_image.h"
 #include "tracking/tracker.h"
 
 namespace bodkin::tracking {
 
-// Says why bodies are lost in picture after picture: no marker of the dictionary is seen at all, the pictures are
-// mirrored, or the markers that are seen are on no body, as those of the camera's calibration board.
+// Explains why bodies are lost in image after image: no marker of the dictionary is seen at all, the images are
+// mirrored, or the markers belong to no body, for example to the camera's calibration board.
 class MarkerWatch {
  public:
-  // `source`: name of the pictures, for sentences.
+  // `source`: name of the images, for sentences.
   explicit MarkerWatch(std::string source) : source_(std::move(source)) {}
 
-  // The next picture, which `tracker` has tracked.
-  void add(const Tracker& tracker, const GreyPicture& picture);
+  // The next image, already processed by `tracker`.
+  void add(const Tracker& tracker, const GreyImage& picture);
 
-  // One sentence while it has been so for 30 pictures; else empty.
+  // One sentence after 30 such images in a row; else empty.
   std::string warning() const;
-  // The same of all pictures together, however few: why a body was in none of them. Empty: each was seen, or nothing
-  // is known.
+  // As warning(), for all images together, however few: why a body was in none of them. Empty: each was seen, or the
+  // reason is unknown.
   std::string warning_of_all() const;
-  // A marker of a body was seen in some picture.
+  // Whether a marker of a body was seen in some image.
   bool any_body() const { return any_body_; }
 
  private:
-  using Counts = std::map<int, int>;  // pictures that showed a marker, by its id
+  using Counts = std::map<int, int>;  // images that showed a marker, by its id
 
   std::string sentence_about(const Counts& foreign, int pictures) const;
 
   std::string source_;
-  int without_ = 0;                // pictures in a row without a marker
-  int lost_ = 0;                   // pictures in a row in which a body was lost
-  std::string nothing_, strange_;  // of the pictures in a row
-  Counts foreign_, all_foreign_;   // of those in a row, and of all
+  int without_ = 0;                // consecutive images without a marker
+  int lost_ = 0;                   // consecutive images in which a body was lost
+  std::string nothing_, strange_;  // of the consecutive images
+  Counts foreign_, all_foreign_;   // of the consecutive ones, and of all
   int pictures_ = 0;
   bool any_marker_ = false, any_body_ = false;
-  std::vector<bool> seen_;  // the bodies that some picture showed
-  GreyPicture last_;        // while none has shown a marker
+  std::vector<bool> seen_;  // the bodies seen in some image
+  GreyImage last_;          // until one has shown a marker
 };
 
 }  // namespace bodkin::tracking

@@ -29,7 +29,7 @@ struct NormalTable {
 };
 const NormalTable normal_table;
 
-// How a blurred pixel spreads over the cells along one axis of a face.
+// Spread of a blurred pixel over the cells along one axis of a face.
 struct Spread {
   int first = 0, count = 0;   // cells, of the padded pattern
   float weight[padded] = {};  // sums to 1
@@ -87,7 +87,7 @@ std::vector<FacePattern> patterns_of(const MarkerBody& body, std::span<const int
   return patterns;
 }
 
-void gather_rows(const PatternCamera& camera, const GreyPicture& picture, const FacePattern& face,
+void gather_rows(const PatternCamera& camera, const GreyImage& picture, const FacePattern& face,
                  const Pose& camera_from_body, int stride, std::vector<PatternRow>& rows) {
   rows.clear();
   const CameraModel& lens = camera.camera;
@@ -125,7 +125,7 @@ void gather_rows(const PatternCamera& camera, const GreyPicture& picture, const 
       const double u = eye.x() + far * e.x(), v = eye.y() + far * e.y();
       if (std::abs(u) > widest || std::abs(v) > widest) continue;
       const double eu = e.x() * inverse, ev = e.y() * inverse;
-      // How the point on the face moves with the pixel.
+      // Motion of the point on the face with the pixel.
       const double dxx = static_cast<double>(camera.rays[at + 1].x() - camera.rays[at - 1].x()) * 0.5;
       const double dxy = static_cast<double>(camera.rays[at + 1].y() - camera.rays[at - 1].y()) * 0.5;
       const double dyx = static_cast<double>(camera.rays[at + width].x() - camera.rays[at - width].x()) * 0.5;
@@ -134,7 +134,7 @@ void gather_rows(const PatternCamera& camera, const GreyPicture& picture, const 
       const double ux = far * (ex.x() - eu * ex.z()), uy = far * (ey.x() - eu * ey.z());
       const double vx = far * (ex.y() - ev * ex.z()), vy = far * (ey.y() - ev * ey.z());
       const double su = blur * std::sqrt(ux * ux + uy * uy), sv = blur * std::sqrt(vx * vx + vy * vy);
-      // What lies beyond the sheet must not reach in.
+      // Light from beyond the sheet must not contribute.
       if (std::abs(u) + 2.0 * su > 0.5 * sheet.sheet || std::abs(v) + 2.0 * sv > 0.5 * sheet.sheet) continue;
       const double middle = 0.5 * marker_cells;
       if (!find_spread(static_cast<float>(u / cell + middle), static_cast<float>(su / cell), along_u) ||
@@ -174,7 +174,7 @@ void gather_rows(const PatternCamera& camera, const GreyPicture& picture, const 
   }
 }
 
-// Twice, the second time with weights.
+// In two passes, the second with weights.
 FaceLight fit_light(const std::vector<PatternRow>& rows) {
   FaceLight fitted;
   Eigen::Vector4d& light = fitted.light;

@@ -18,8 +18,8 @@ constexpr int most_coarse_pixels = 5000;  // with every second pixel of every se
 struct PhotometricRefinement::Sums {
   Matrix6 normal = Matrix6::Zero();
   Vector6 right = Vector6::Zero();
-  double edge_squares = 0.0, edge_weights = 0.0;  // of residual over step, weighed by the pattern's slope
-  double flat_squares = 0.0, flat_weights = 0.0;  // the same where the pattern has hardly any
+  double edge_squares = 0.0, edge_weights = 0.0;  // of residual over step, weighted by the pattern's slope
+  double flat_squares = 0.0, flat_weights = 0.0;  // the same if the pattern has hardly any
   int pixels = 0;
   std::vector<PatternRow> rows;
 };
@@ -37,7 +37,7 @@ void PhotometricRefinement::set_light(const ToneCurve& tone, double blur) {
   variance_ = blur * blur + 1.0 / 12.0;
 }
 
-bool PhotometricRefinement::gather(const GreyPicture& picture, const FacePattern& face, const Pose& camera_from_body,
+bool PhotometricRefinement::gather(const GreyImage& picture, const FacePattern& face, const Pose& camera_from_body,
                                    int stride, Sums& sums) const {
   std::vector<PatternRow>& rows = sums.rows;
   gather_rows(pattern_camera(), picture, face, camera_from_body, stride, rows);
@@ -46,7 +46,7 @@ bool PhotometricRefinement::gather(const GreyPicture& picture, const FacePattern
   const Eigen::Vector4d& light = fitted.light;
   const double scale = fitted.scale;
   const double step = light[0];
-  if (!(step > 0.02)) return false;  // no contrast, or a negative
+  if (!(step > 0.02)) return false;  // no contrast, or a negative image
 
   Eigen::Matrix<double, numbers, numbers> all = Eigen::Matrix<double, numbers, numbers>::Zero();
   float part[numbers][numbers] = {};
@@ -61,7 +61,7 @@ bool PhotometricRefinement::gather(const GreyPicture& picture, const FacePattern
       }
     }
   };
-  // What the pose is read from is the edges, so it is their residual that counts.
+  // The pose depends on the edges, so their residual counts.
   double edge_squares = 0.0, edge_weights = 0.0, flat_squares = 0.0, flat_weights = 0.0;
   const auto flat_slope = static_cast<float>(0.02 * marker_cells / face.face->side);
   int since = 0;
@@ -115,8 +115,8 @@ bool PhotometricRefinement::gather(const GreyPicture& picture, const FacePattern
   return true;
 }
 
-RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const MarkerBody& body,
-                                          std::span<const int> ids, const Pose& start, int steps) const {
+RefinedPose PhotometricRefinement::refine(const GreyImage& picture, const MarkerBody& body, std::span<const int> ids,
+                                          const Pose& start, int steps) const {
   RefinedPose refined;
   refined.camera_from_body = start;
   const std::vector<FacePattern> faces = patterns_of(body, ids);
@@ -146,7 +146,7 @@ RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const Mark
     refined.pixels = sums.pixels;
     const Vector6 change = solved.solve(sums.right);
     if (!change.allFinite() || change.head<3>().norm() > 100.0 || change.tail<3>().norm() > 0.7) return refined;
-    // How far the markers would move in the picture.
+    // Displacement of the markers in the image.
     const double far = std::max(pose.translation().norm(), 1.0);
     const double moved = camera_.fx * (change.head<3>().norm() / far + change.tail<3>().norm() * 0.05);
     const bool fine = stride == 1 || step > 0;
@@ -156,7 +156,7 @@ RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const Mark
       if (moved >= 0.02) break;
     }
     if (step == steps) break;
-    // A quarter of the pixels of a large board is enough.
+    // A quarter of the pixels of a large board suffices.
     if (step == 0 && sums.pixels < most_coarse_pixels) stride = 1;
     take_step(pose, change);
     if (refined.sound) {
@@ -171,9 +171,9 @@ RefinedPose PhotometricRefinement::refine(const GreyPicture& picture, const Mark
   return refined;
 }
 
-CameraMisfit PhotometricRefinement::misfit(const GreyPicture& picture, const MarkerBody& body,
-                                           std::span<const int> ids, const RefinedPose& pose) const {
-  const int stride = pose.pixels > most_coarse_pixels ? 4 : 1;  // of a board a part is enough
+CameraMisfit PhotometricRefinement::misfit(const GreyImage& picture, const MarkerBody& body, std::span<const int> ids,
+                                           const RefinedPose& pose) const {
+  const int stride = pose.pixels > most_coarse_pixels ? 4 : 1;  // a part of a board suffices
   return camera_misfit(pattern_camera(), picture, patterns_of(body, ids), pose.camera_from_body, stride);
 }
 

@@ -6,7 +6,7 @@
 
 #include "tracking/camera_misfit.h"
 #include "tracking/camera_model.h"
-#include "tracking/grey_picture.h"
+#include "tracking/grey_image.h"
 #include "tracking/marker_body.h"
 #include "tracking/pattern_rows.h"
 #include "tracking/pose_step.h"
@@ -20,37 +20,37 @@ struct RefinedPose {
   Pose camera_from_body = Pose::Identity();
   // Of a shift (mm) and a rotation (rotation vector, radians) about the body's origin, both along the camera's axes.
   Matrix6 covariance = Matrix6::Zero();
-  // RMS of picture less model where the pattern has edges, which the pose is read from, as a share of the step from
-  // black to white; and the same over that where it has none: 1 to 1.5 when nothing but noise is left.
+  // RMS of image less model at the edges of the pattern, which determine the pose, as a fraction of the step from
+  // black to white; and its ratio to the RMS elsewhere: 1 to 1.5 when only noise is left.
   double residual = 1.0, edge_ratio = 1.0;
-  int pixels = 0;      // that were compared
-  bool sound = false;  // it came to rest, every used face looks at the camera and there was enough to see
+  int pixels = 0;      // compared pixels
+  bool sound = false;  // it converged, every used face is turned towards the camera and enough was visible
 };
 
-// Aligns the rendered pattern of a body's markers with a picture. For every pixel of a visible face a ray is cast
+// Aligns the rendered pattern of a body's markers with an image. For every pixel of a visible face a ray is cast
 // through the lens, and the pattern, blurred by the optics and by the pixel's own area (an ellipse on the face), is
-// compared with the picture's light, that is, its grey levels with the tone curve taken out. Each face has an offset
-// and a gain that is linear over it; they are eliminated. Gauss-Newton on the six numbers of the pose, with Huber
-// weights. It needs a start that is off by a pixel or two at most, which the corners of the markers give.
+// compared with the image's light, that is, its grey levels with the tone curve removed. Each face has an offset and
+// a gain that is linear over it; they are eliminated. Gauss-Newton on the six numbers of the pose, with Huber
+// weights. The start may be off by at most a pixel or two, which the corners of the markers ensure.
 class PhotometricRefinement {
  public:
   explicit PhotometricRefinement(const CameraModel& camera);
 
-  // `ids`: the markers of the body to use, those that were found. `steps`: of Gauss-Newton, at most.
-  RefinedPose refine(const GreyPicture& picture, const MarkerBody& body, std::span<const int> ids, const Pose& start,
+  // `ids`: the markers of the body to use, those that were found. `steps`: limit of Gauss-Newton steps.
+  RefinedPose refine(const GreyImage& picture, const MarkerBody& body, std::span<const int> ids, const Pose& start,
                      int steps = 4) const;
 
-  // How the picture of a body at its pose differs from what the calibrated camera would make of it.
-  CameraMisfit misfit(const GreyPicture& picture, const MarkerBody& body, std::span<const int> ids,
+  // The differences of the image of a body at its pose from the prediction by the calibrated camera.
+  CameraMisfit misfit(const GreyImage& picture, const MarkerBody& body, std::span<const int> ids,
                       const RefinedPose& pose) const;
 
   const CameraModel& camera() const { return camera_; }
-  // Another tone curve and blur of the same lens.
+  // Sets another tone curve and blur of the same lens.
   void set_light(const ToneCurve& tone, double blur);
 
  private:
-  struct Sums;  // what one step gathers
-  bool gather(const GreyPicture& picture, const FacePattern& face, const Pose& camera_from_body, int stride,
+  struct Sums;  // data gathered by one step
+  bool gather(const GreyImage& picture, const FacePattern& face, const Pose& camera_from_body, int stride,
               Sums& sums) const;
 
   PatternCamera pattern_camera() const { return {camera_, rays_, light_, variance_}; }

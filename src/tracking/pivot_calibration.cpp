@@ -16,13 +16,13 @@ namespace bodkin::tracking {
 namespace {
 
 constexpr double least_spin = 60.0;  // degrees
-constexpr int most_turns = 6;        // of leaving out and fitting again
+constexpr int most_turns = 6;        // of removing outliers and refitting
 
 double angle_between(const Mat3& a, const Mat3& b) {
   return Eigen::AngleAxisd(a.transpose() * b).angle() / degree;
 }
 
-// The poses that are slow against both neighbours.
+// The poses that moved slowly from and to both neighbours.
 std::vector<Pose> slow_ones(const std::vector<TimedPose>& poses, double fastest, int& left_out) {
   std::vector<Pose> slow;
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -50,7 +50,7 @@ void require_enough(const std::vector<Pose>& poses, int least, int too_fast) {
                   poses.size(), too_fast, least));
 }
 
-// Leaves out what lies far from the rest; `error` of each pose, by the last fit. False: all stay.
+// Removes outliers; `error` of each pose, by the last fit. False: none was removed.
 bool leave_out(std::vector<Pose>& poses, const std::vector<double>& error, double outlier, int& left_out) {
   std::vector<double> sorted = error;
   std::sort(sorted.begin(), sorted.end());
@@ -105,7 +105,7 @@ PivotCalibration calibrate_pivot(const std::vector<TimedPose>& poses, const Pivo
     const Eigen::LDLT<Matrix6> solved(normal);
     const Vector6 pivots = solved.vectorD();
     if (pivots.minCoeff() < 1e-9 * pivots.maxCoeff()) {
-      throw InputError("the body turned about one axis only, which leaves its tip open; tilt it in all directions");
+      throw InputError("the body turned about one axis only, so its tip is undetermined; tilt it in all directions");
     }
     const Vector6 found = solved.solve(right);
     made.tip = found.head<3>();
@@ -142,7 +142,7 @@ SpinCalibration calibrate_spin(const std::vector<TimedPose>& poses, const PivotG
   std::vector<Pose> used = slow_ones(poses, gate.fastest, made.too_fast);
   for (int turn = 0; turn < most_turns; ++turn) {
     require_enough(used, gate.least_poses, made.too_fast);
-    // The direction of the body that its poses turn least: R^T mean(R) a is nearest to a.
+    // The direction in the body that its poses turn least: R^T mean(R) a is nearest to a.
     Mat3 mean = Mat3::Zero();
     for (const Pose& pose : used) mean += pose.linear();
     mean /= static_cast<double>(used.size());

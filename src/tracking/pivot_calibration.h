@@ -12,20 +12,20 @@ struct TimedPose {
   Pose camera_from_body = Pose::Identity();  // or from any frame that rests, such as the mannequin's
 };
 
-// What is left out of a calibration.
+// Limits for poses used in a calibration.
 struct PivotGate {
-  double fastest = 90.0;     // degrees/s; faster ones are blurred by the exposure
+  double fastest = 90.0;     // degrees/s; faster ones have motion blur
   double outlier = 3.5;      // deviations, by the median of the absolute residuals
-  double least_cone = 25.0;  // degrees between the two directions that lie furthest apart
+  double least_cone = 25.0;  // degrees between the two directions farthest apart
   int least_poses = 20;
 };
 
-// The point of a body that rested while the body turned about it.
+// The point of a body about which the body was pivoted.
 struct PivotCalibration {
   Vec3 tip = Vec3::Zero();    // body frame, mm
-  Vec3 pivot = Vec3::Zero();  // where it rested, camera frame, mm
+  Vec3 pivot = Vec3::Zero();  // its fixed place, camera frame, mm
   double rms = 0.0;           // of the distances of the tip from the pivot, mm
-  double mean = 0.0;          // of the same, mm
+  double mean = 0.0;          // of the same distances, mm
   double deviation = 0.0;     // standard deviation of the tip's place, mm
   double cone = 0.0;          // degrees, see PivotGate
   int used = 0, too_fast = 0, outliers = 0;
@@ -40,7 +40,7 @@ struct SpinCalibration {
   Vec3 axis = Vec3::UnitZ();  // body frame, unit; of both directions the one nearer to +z
   double rms = 0.0;           // of the angles between the axis and its mean direction, degrees
   double mean = 0.0;          // of the same, degrees
-  double turned = 0.0;        // degrees, most between two poses
+  double turned = 0.0;        // degrees, largest between two poses
   int used = 0, too_fast = 0, outliers = 0;
 };
 

@@ -18,7 +18,7 @@ struct Proposal {
   double fre = 1e9;
 };
 
-// Every fixed point takes the nearest moving one within reach, mutually.
+// Mutual nearest neighbours of fixed and moving points within reach.
 Assignment nearest_pairs(const Similarity& placed, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving,
                          double within) {
   const auto nearest = [&](const Vec3& to, const auto& distance_to, std::size_t count) {
@@ -43,7 +43,7 @@ Assignment nearest_pairs(const Similarity& placed, const std::vector<Vec3>& fixe
   return pairs;
 }
 
-// Refuses a set that cannot be matched, before its points are compared with others.
+// Refuses a set that cannot be matched, before comparing its points with others.
 void require_a_triangle(const std::vector<Vec3>& points, const char* set) {
   if (points.size() < 3) {
     throw InputError(fmt::format(
@@ -52,13 +52,13 @@ void require_a_triangle(const std::vector<Vec3>& points, const char* set) {
   }
   if (on_a_line(points)) {
     throw InputError(
-        fmt::format("registration: the {} points lie on a line, which leaves the rotation about it open; add a point "
-                    "off that line",
+        fmt::format("registration: the {} points lie on a line, so the rotation about it is undetermined; add a "
+                    "point off that line",
                     set));
   }
 }
 
-// The placement of these pairs, by all of them; false where they lie on a line or are too few.
+// The placement by all of these pairs; false if they lie on a line or are too few.
 bool place_pairs(const Assignment& pairs, const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving,
                  Proposal& made, Similarity& placed) {
   std::vector<Vec3> from, to;
@@ -95,7 +95,7 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
                   std::abs((moving[l] - moving[i]).norm() - ca) > tolerance) {
                 continue;
               }
-              // A placement that already holds this triple would be found again.
+              // A placement that already contains this triple would be found again.
               const bool held = std::any_of(proposals.begin(), proposals.end(), [&](const Proposal& other) {
                 return other.pairs[a] == i && other.pairs[b] == j && other.pairs[c] == l;
               });
@@ -106,7 +106,7 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
               pairs[c] = l;
               Proposal made;
               Similarity placed;
-              // A triple, then everything near it, twice.
+              // From a triple, then twice from all nearby points.
               if (!place_pairs(pairs, fixed, moving, made, placed)) {
                 alike_on_a_line = true;
                 continue;
@@ -127,15 +127,15 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
   }
   if (proposals.empty() && alike_on_a_line) {
     throw InputError(
-        "registration: the points that lie alike in both sets are on a line, which leaves the rotation about it "
-        "open; check that a point off that line is in both sets");
+        "registration: the points that match in both sets are on a line, so the rotation about it is undetermined; "
+        "check that a point off that line is in both sets");
   }
   if (proposals.empty()) {
     throw InputError(
-        "registration: no three points of one set lie as three of the other do; check that both show the "
-        "same fiducials, in mm");
+        "registration: no three points of one set have the same distances as three of the other; check that both "
+        "show the same fiducials, in mm");
   }
-  // A point more is worth more than a better fit.
+  // An additional point counts more than a better fit.
   const auto better = [](const Proposal& one, const Proposal& other) {
     return one.count != other.count ? one.count > other.count : one.fre < other.fre;
   };
@@ -143,8 +143,7 @@ PointMatch match_points(const std::vector<Vec3>& fixed, const std::vector<Vec3>&
   PointMatch match;
   match.moving_of_fixed = proposals.front().pairs;
   match.fre_rms = proposals.front().fre;
-  // Another assignment of as many points that contradicts this one and fits within what errors of localisation
-  // explain.
+  // An equally large assignment that contradicts this one and fits within the localisation errors.
   for (std::size_t i = 1; i < proposals.size(); ++i) {
     const Proposal& other = proposals[i];
     if (other.count < proposals.front().count) break;

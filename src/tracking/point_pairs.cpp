@@ -11,7 +11,7 @@ namespace bodkin::tracking {
 
 namespace {
 
-// Which moving point belongs to each fixed one.
+// The moving point for each fixed one.
 std::vector<std::optional<std::size_t>> partners_of(const NamedPoints& fixed, const NamedPoints& moving,
                                                     PairedBy paired_by) {
   if (paired_by == PairedBy::distance) {

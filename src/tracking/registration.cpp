@@ -57,9 +57,9 @@ Eigen::MatrixXd symmetric_inverse(const Eigen::MatrixXd& matrix) {
   return matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
 }
 
-// The errors of the placement, were the covariances of the pairs right as they are.
-PlacementErrors told_errors(const Registration& registration, const std::vector<Vec3>& moving,
-                            const std::vector<Mat3>& covariances) {
+// The errors of the placement, if the covariances of the pairs were exact.
+PlacementErrors propagated_errors(const Registration& registration, const std::vector<Vec3>& moving,
+                                  const std::vector<Mat3>& covariances) {
   const int unknowns = registration.scaled ? 7 : 6;
   PlacementErrors errors;
   errors.middle = registration.fixed_from_moving * mean_of(moving);
@@ -117,7 +117,8 @@ Registration register_points(const std::vector<Vec3>& fixed, const std::vector<V
   made.flatness = extents[2] > 0.0 ? extents[1] / extents[2] : 0.0;
   if (extents[1] < least_extent || made.flatness < least_flatness) {
     throw InputError(
-        "registration: the points lie on a line, which leaves the rotation about it open; add a point off that line");
+        "registration: the points lie on a line, so the rotation about it is undetermined; add a point off that "
+        "line");
   }
   made.fixed_from_moving = closed_form(fixed, moving, with_scale);
   double squares = 0.0, sum = 0.0;
@@ -179,14 +180,14 @@ ErrorInterval error_interval(double variance, double freedom) {
 
 Mat3 target_covariance(const Registration& registration, const std::vector<Vec3>& moving,
                        const std::vector<Mat3>& covariances, const Vec3& target) {
-  return covariance_at(told_errors(registration, moving, covariances), registration.fixed_from_moving * target);
+  return covariance_at(propagated_errors(registration, moving, covariances), registration.fixed_from_moving * target);
 }
 
 PlacementErrors placement_errors(const Registration& registration, const std::vector<Vec3>& moving,
                                  const std::vector<Mat3>& covariances) {
   const auto count = static_cast<Eigen::Index>(moving.size());
   const int unknowns = registration.scaled ? 7 : 6;
-  PlacementErrors errors = told_errors(registration, moving, covariances);
+  PlacementErrors errors = propagated_errors(registration, moving, covariances);
   Eigen::MatrixXd slopes(3 * count, unknowns), spread = Eigen::MatrixXd::Zero(3 * count, 3 * count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto point = static_cast<std::size_t>(i);
@@ -194,7 +195,7 @@ PlacementErrors placement_errors(const Registration& registration, const std::ve
         displacement(registration.fixed_from_moving * moving[point] - errors.middle).leftCols(unknowns);
     spread.block(3 * i, 3 * i, 3, 3) = covariances[point];
   }
-  // What the fit leaves of the errors.
+  // The residual errors of the fit.
   const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(3 * count, 3 * count) -
                                slopes * symmetric_inverse(slopes.transpose() * slopes) * slopes.transpose();
   const Eigen::MatrixXd rest = left * spread;
@@ -213,7 +214,7 @@ ErrorInterval tre_interval(const Registration& registration, const std::vector<V
 std::optional<double> hidden_scale(const std::vector<Vec3>& fixed, const std::vector<Vec3>& moving) {
   constexpr std::size_t least_points = 4;
   constexpr double least_difference = 0.002;
-  // F with 1 and 3k - 7 degrees of freedom that one in a thousand exceeds, for 4 to 8 points; more have less.
+  // The 99.9 % quantile of F with 1 and 3k - 7 degrees of freedom, for 4 to 8 points; for more it is smaller.
   constexpr std::array<double, 5> exceeded = {47.2, 25.4, 19.7, 17.1, 15.7};
   if (fixed.size() != moving.size() || fixed.size() < least_points) return std::nullopt;
   const Similarity rigid = closed_form(fixed, moving, false), scaled = closed_form(fixed, moving, true);

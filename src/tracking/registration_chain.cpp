@@ -4,7 +4,7 @@ namespace bodkin::tracking {
 
 namespace {
 
-// The same errors told about another middle, and in the frame that `onwards` leads to.
+// The same errors about another centre, and in the target frame of `onwards`.
 PlacementErrors carried(const PlacementErrors& errors, const Similarity& onwards, const Vec3& middle) {
   const Vec3 away = middle - onwards * errors.middle;
   Matrix7 change = Matrix7::Zero();
@@ -17,7 +17,7 @@ PlacementErrors carried(const PlacementErrors& errors, const Similarity& onwards
   return {middle, whole * errors.covariance * whole.transpose(), errors.freedom};
 }
 
-// Of a sum of two variances, each estimated with its own.
+// Degrees of freedom of a sum of two variances, each with its own.
 double freedom_of_sum(double one, double freedom_of_one, double other, double freedom_of_other) {
   const double sum = one + other;
   if (sum <= 0.0) return freedom_of_one + freedom_of_other;
@@ -37,7 +37,7 @@ Registration followed_by(const Registration& first, const Registration& second) 
   whole.at_target.reset();
   if (!first.errors || !second.errors) return whole;
   const PlacementErrors carried_on = carried(*first.errors, outer, second.errors->middle);
-  // Where the error matters, or else in the middle.
+  // At the place of interest, or else in the middle.
   const Vec3 place =
       first.at_target ? whole.fixed_from_moving * first.at_target->target : Vec3(second.errors->middle);
   const double of_first = covariance_at(carried_on, place).trace(),

@@ -26,7 +26,7 @@ constexpr std::uint32_t paper = 0xFFFFFF, text_ink = 0x26303A, title_ink = 0x122
 
 using Place = Eigen::Vector2d;
 
-// What one of the two panels looks at.
+// The view of one of the two panels.
 struct View {
   const char* title;
   const char* across;  // the label of its horizontal axis
@@ -49,7 +49,7 @@ double round_down(double most) {
   return power * (most >= 5.0 * power ? 5.0 : most >= 2.0 * power ? 2.0 : 1.0);
 }
 
-// At most so wide, and cut where a character begins.
+// Limited to this width, cut between characters.
 std::string cut_short(const std::string& name) {
   if (imaging::text_width(name, small_size) <= longest_label) return name;
   std::string cut = name;
@@ -118,7 +118,7 @@ class PictureArtist {
     const double room = picture_width - 2.0 * side_room - between_room;
     const Vec3 range = high_ - low_;
     scale_ = std::min(room / (range.x() + range.y()), most_height / range.z());
-    // A panel that would be narrow is widened about its middle.
+    // A narrow panel is widened about its middle.
     for (int axis = 0; axis < 3; ++axis) {
       const double more = 0.5 * std::max(0.0, least_panel / scale_ - (high_ - low_)[axis]);
       low_[axis] -= more;
@@ -131,7 +131,7 @@ class PictureArtist {
   }
 
   double width_of(const View& view) const { return scale_ * (high_ - low_)[view.axis]; }
-  // Where the arrow of a pair ends, mm.
+  // The end of a pair's arrow, mm.
   Vec3 tip_of(std::size_t i) const { return fixed_[i] + magnified_ * (moved_[i] - fixed_[i]); }
   Place place_of(const View& view, double left, const Vec3& point) const {
     return {left + scale_ * (point - low_)[view.axis], bottom_ - scale_ * (point - low_)[up]};
@@ -193,7 +193,7 @@ class PictureArtist {
 
   void panel(const View& view, double left) {
     axes(view, left);
-    // What no name should cover.
+    // Areas that no name should cover.
     std::vector<Box> taken;
     const auto take = [&](const Place& one, const Place& other, double margin) {
       const Place low = one.cwiseMin(other), high = one.cwiseMax(other);
@@ -226,7 +226,7 @@ class PictureArtist {
       name(place_of(view, left, fixed_[i]), cut_short(names_[i]), text_ink, panel_box, taken);
   }
 
-  // Beside its point, where it covers least; a thin line leads to one that is not close, but from the target's
+  // Beside its point, where it covers least; a thin line connects one that is not close, except from the target's
   // circles.
   void name(const Place& at, const std::string& text, std::uint32_t ink, const Box& within, std::vector<Box>& taken) {
     const double wide = imaging::text_width(text, small_size), high = small_size;

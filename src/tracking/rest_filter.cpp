@@ -5,7 +5,7 @@ namespace bodkin::tracking {
 namespace {
 
 constexpr std::size_t most_poses = 15;
-// Squared Mahalanobis distance with six degrees of freedom that 99.7 % of poses at rest keep below.
+// 99.7 % quantile of the squared Mahalanobis distance of poses at rest, six degrees of freedom.
 constexpr double rest_limit = 19.8;
 
 }  // namespace

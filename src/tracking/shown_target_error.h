@@ -8,17 +8,17 @@
 
 namespace bodkin::tracking {
 
-// How long the predicted target registration error is in a camera's pictures, where it lies across the view.
+// The length of the predicted target registration error in a camera's images, across the view.
 class ShownTargetError {
  public:
   // `registration`: of the patient to the mannequin, with or without a prediction.
   ShownTargetError(const Registration& registration, const CameraModel& camera);
 
-  // The mannequin in the next picture.
+  // The mannequin in the next image.
   void add(const TrackedPose& mannequin);
-  // mm; nothing where the registration predicts none.
+  // mm; empty if the registration predicts none.
   const std::optional<ErrorInterval>& in_mm() const { return in_mm_; }
-  // Pixels, the mean of the pictures that show the mannequin; nothing where none does, or where nothing is predicted.
+  // Pixels, the mean over the images that show the mannequin; empty if none does, or without a prediction.
   std::optional<ErrorInterval> in_pixels() const;
 
  private:

@@ -8,17 +8,17 @@
 
 namespace bodkin::tracking {
 
-// How long the stages of a picture's way take. Not for several threads at once.
+// Durations of the stages of processing an image. Not thread-safe.
 class StageTimes {
  public:
   struct Row {
     std::string stage;
     std::size_t count = 0;
-    double median = 0.0, late = 0.0;  // ms; `late`: 95 % took no longer
+    double median = 0.0, late = 0.0;  // ms; `late`: 95th percentile
   };
 
   void add(std::string_view stage, double seconds);
-  // In the order in which the stages came first.
+  // In the order of the stages' first occurrence.
   std::vector<Row> rows() const;
 
  private:

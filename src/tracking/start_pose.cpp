@@ -13,7 +13,7 @@ namespace {
 
 struct Corners {
   std::vector<cv::Point3d> body;
-  std::vector<cv::Point2d> seen;  // x and y of the ray (x, y, 1): the lens is taken out
+  std::vector<cv::Point2d> seen;  // x and y of the ray (x, y, 1), without the lens's distortion
 };
 
 Pose pose_of(const cv::Mat& turn, const cv::Mat& shift) {
@@ -80,13 +80,13 @@ std::vector<StartPose> start_poses(const CameraModel& camera, const MarkerBody& 
   const double focal = 0.5 * (camera.fx + camera.fy);
   std::vector<StartPose> rough;
   for (const Pose& candidate : candidates) {
-    // The planar solutions of a degenerate square are no numbers.
+    // The planar solutions of a degenerate square are NaN.
     const double error = corner_error(corners, candidate, focal);
     if (std::isfinite(error) && candidate.matrix().allFinite()) rough.push_back({candidate, error});
   }
   const auto better = [](const StartPose& a, const StartPose& b) { return a.error < b.error; };
   std::sort(rough.begin(), rough.end(), better);
-  // Markers of a body agree about many of these: only distinct ones are worth refining.
+  // Markers of a body give many equal ones: only distinct ones are refined.
   const auto keep_distinct = [](const std::vector<StartPose>& from, double angle) {
     std::vector<StartPose> kept;
     for (const StartPose& start : from) {

@@ -45,7 +45,7 @@ OpenedFootage open_footage_files(const FootageFiles& files) {
   return opened;
 }
 
-std::string why_nothing_was_found(const std::string& source, const GreyPicture& picture) {
+std::string why_nothing_was_found(const std::string& source, const GreyImage& picture) {
   return is_mirrored(picture)
              ? fmt::format("{}: the pictures are mirrored left to right; switch mirroring off in the camera", source)
              : fmt::format(
@@ -72,7 +72,7 @@ Pose tool_in_patient(const MarkerBody& body, const Pose& camera_from_body, const
 
 Similarity placed_along(const anatomy::NeedlePath& path, const Vec3& at) {
   const Vec3 into = path.direction();
-  // The mannequin's z is the path, its y the feet's direction as far as the path lets it.
+  // The mannequin's z is the path, its y the feet's direction as far as the path permits.
   Vec3 down = -Vec3::UnitZ() - into * into.dot(-Vec3::UnitZ());
   if (down.norm() < 0.1) down = Vec3::UnitY() - into * into.y();
   down.normalize();

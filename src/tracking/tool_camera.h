@@ -9,8 +9,8 @@
 
 namespace bodkin::tracking {
 
-// Tracks the tools of a teaching station on a thread of its own, for followers who need no picture: from a camera the
-// newest pictures, from footage each one, as soon as there is room for it.
+// Tracks the tools of a teaching station on its own thread, for followers that need no image: of a camera the newest
+// images, of footage each one, as soon as there is room for it.
 class ToolCamera {
  public:
   // Throws InputError as ToolSightings does. `name`: of the source, for sentences.

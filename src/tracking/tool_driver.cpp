@@ -32,7 +32,7 @@ namespace {
 using haptics::DriverFailure;
 using haptics::DriverSettings;
 
-constexpr double tip_noise = 0.1;  // mm, of a tracked tip at rest: what one count is for other devices
+constexpr double tip_noise = 0.1;  // mm, of a tracked tip at rest: the analogue of an encoder's count
 
 struct ToolSettings {
   FootageFiles files;
@@ -56,7 +56,7 @@ ToolSettings tool_settings(const std::string& identity, const char* words) {
   settings.tool = given.text("body", settings.tool);
   settings.rate = given.number("rate_Hz", settings.rate, 200.0, 4000.0);
   settings.first_pose = given.number("first_pose_s", settings.first_pose, 0.1, 15.0);
-  // The session says where the patient is (station::settings_about).
+  // The session defines the patient's place (station::settings_about).
   settings.middle = {given.number("patient_x_mm", 0.0, -farthest, farthest),
                      given.number("patient_y_mm", 0.0, -farthest, farthest),
                      given.number("patient_z_mm", 0.0, -farthest, farthest)};
@@ -82,7 +82,7 @@ OpenCameras& open_cameras() {
   return cameras;
 }
 
-// What a camera is opened with, and where its mannequin lies.
+// Settings for opening a camera, and the place of its mannequin.
 std::string key_of(const ToolSettings& settings) {
   const auto whole = [](const std::filesystem::path& file) {
     std::error_code code;
@@ -101,7 +101,7 @@ Similarity place_of(const ToolSettings& settings) {
   return placed_along(settings.path.value_or(anatomy::NeedlePath{Vec3::Zero(), -Vec3::UnitY()}), scene_skin());
 }
 
-// Its sightings may be those of a window that shows the same pictures; then there is no camera.
+// Its sightings may come from a window that shows the same images; then there is no camera.
 struct ToolSource {
   std::shared_ptr<ToolCamera> camera;
   std::shared_ptr<ToolSightings> sightings;
@@ -137,7 +137,7 @@ class TrackedTool : public haptics::OpenDevice {
       wait_for_first_pose();
     }
     started_ = true;
-    // Footage from its beginning; of a camera what comes from now on.
+    // Footage from its beginning; a camera from now on.
     feed_ = source_.sightings->follow(settings_.tool);
     motion_.start(first_.pose, begin_);
     last_ = 0.0;
@@ -158,7 +158,7 @@ class TrackedTool : public haptics::OpenDevice {
     return feed_->failed() ? BODKIN_COMMUNICATION_LOST : BODKIN_OK;
   }
 
-  // While all is well, what is to be known of the pictures.
+  // In normal operation, the remarks about the images.
   std::string explain() override {
     return seen_.load(std::memory_order_relaxed) && !feed_->failed() ? feed_->note() : feed_->trouble();
   }
@@ -182,7 +182,7 @@ class TrackedTool : public haptics::OpenDevice {
       const bool ended = feed_->ended();
       while (feed_->next(first_)) {
         if (pictures++ == 0) begin_ = first_.time;
-        if (first_.unseen == Unseen::no) return;
+        if (first_.unseen == UnknownPlace::no) return;
       }
       const bool late = feed_->live() && Clock::now() - begin > std::chrono::duration<double>(settings_.first_pose);
       const bool none = !feed_->live() && pictures >= ToolFeed::capacity;
@@ -197,7 +197,7 @@ class TrackedTool : public haptics::OpenDevice {
   }
 
   ToolSettings settings_;
-  // Right, away and up of an operator who stands at the feet of a prone patient (station/hand_session.h).
+  // Right, away and up for an operator who stands at the feet of a prone patient (station/hand_session.h).
   Mat3 to_operator_ = haptics::rows(-Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY());
   ToolSource source_;
   std::shared_ptr<ToolFeed> feed_;

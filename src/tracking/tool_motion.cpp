@@ -16,7 +16,7 @@ constexpr double clock_jump = 0.5;   // s, more is not slipped
 constexpr double reached_mm = 0.05;  // half of a tracked tip's noise
 constexpr double reached_rad = 2e-3;
 
-// At most so far towards the goal. Whether it is there.
+// Moves at most so far towards the goal. True on arrival.
 bool approach(Pose& pose, const Pose& goal, double way, double turn) noexcept {
   const Vec3 offset = goal.translation() - pose.translation();
   const double distance = offset.norm();
@@ -50,13 +50,13 @@ void ToolMotion::advance_clock(const ToolFeed& feed, double now, double elapsed)
   time_ = std::max(std::min(time_, next), std::min(next, feed.newest()));  // a late picture is waited for
 }
 
-// The place that is known for now. False: that was the last one, and the tool may be elsewhere.
+// The place known for now. False: that was the last one, and the tool may be elsewhere.
 bool ToolMotion::aim(const ToolFeed& feed, Pose& goal) const noexcept {
-  if (before_.unseen != Unseen::no) return false;
+  if (before_.unseen != UnknownPlace::no) return false;
   goal = before_.pose;
   if (!has_after_) return !feed.live() || due_ - before_.time < most_late;
   const double span = after_.time - before_.time;
-  if (after_.unseen != Unseen::no || span > longest_gap) return false;
+  if (after_.unseen != UnknownPlace::no || span > longest_gap) return false;
   const double share = span > 0.0 ? std::clamp((time_ - before_.time) / span, 0.0, 1.0) : 1.0;
   goal.translation() += share * (after_.pose.translation() - before_.pose.translation());
   goal.linear() = Eigen::Quaterniond(before_.pose.linear())

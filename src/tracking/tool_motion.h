@@ -6,25 +6,24 @@
 
 namespace bodkin::tracking {
 
-// Where a tracked tool is at each moment, for a hand that is asked a thousand times a second: between two pictures in
-// which it was seen on a straight line, in the time of the pictures. A live one is shown as late as its pictures
-// come, so that its speed is that of the hand; footage is played in its own time, and waits where it is tracked more
-// slowly.
+// The pose of a tracked tool at any time, for a hand that is read a thousand times a second: between two images in
+// which it was seen it moves on a straight line, in the time of the images. A live tool is shown with the delay of
+// its images, so that its speed is that of the hand; footage is played in its own time, and waits if tracking is
+// slower.
 //
-// A pose that is lost or uncertain is no place: the tool rests at the last one, and counts as unseen, until it is
-// seen again and has been reached at no more than 300 mm/s and 5 rad/s, as a hand would. It never moves faster than
-// 900 mm/s.
+// A lost or uncertain pose is not used: the tool rests at the last one, and counts as unseen, until it is seen again
+// and has been reached at no more than 300 mm/s and 5 rad/s, as by a hand. It never moves faster than 900 mm/s.
 class ToolMotion {
  public:
   struct Place {
     Pose pose = Pose::Identity();  // LPS mm
-    bool seen = false;             // it is there; false: it was there last
+    bool seen = false;             // false: it was there last
     bool over = false;             // the footage has ended
   };
 
-  // At rest where a first picture shows it; footage begins at `begin`, s.
+  // Starts at rest at the pose of a first image; footage begins at `begin`, s.
   void start(const Pose& pose, double begin) noexcept;
-  // `now`: s of the live pictures' clock. `elapsed`: s since the step before. Allocates nothing, waits for nothing.
+  // `now`: s of the live images' clock. `elapsed`: s since the previous step. Allocates nothing, waits for nothing.
   const Place& step(ToolFeed& feed, double now, double elapsed) noexcept;
 
  private:
@@ -36,7 +35,7 @@ class ToolMotion {
   bool lost_ = true;  // until it has been reached
   bool began_ = false;
   double time_ = 0.0;  // s, of the pictures
-  double due_ = 0.0;   // s, what it should be of a live one
+  double due_ = 0.0;   // s, its intended value for a live tool
   Place place_;
 };
 

@@ -22,9 +22,9 @@ std::size_t place_of(const std::vector<MarkerBody>& bodies, const std::string& n
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
-Unseen why_unseen(TrackingStatus status, Unseen lost, Unseen uncertain) {
+UnknownPlace why_unseen(TrackingStatus status, UnknownPlace lost, UnknownPlace uncertain) {
   if (status == TrackingStatus::lost) return lost;
-  return status == TrackingStatus::uncertain ? uncertain : Unseen::no;
+  return status == TrackingStatus::uncertain ? uncertain : UnknownPlace::no;
 }
 
 struct Announcements {
@@ -47,17 +47,17 @@ std::string whole_name(const std::string& source) {
 std::string ToolFeed::trouble() const {
   const std::lock_guard guard(lock_);
   if (!end_.empty()) return end_;
-  if (unseen() != Unseen::no && !warning_.empty()) return warning_;
+  if (unseen() != UnknownPlace::no && !warning_.empty()) return warning_;
   switch (unseen()) {
-    case Unseen::no:
+    case UnknownPlace::no:
       break;
-    case Unseen::tool_lost:
+    case UnknownPlace::tool_lost:
       return fmt::format("no marker of the {} is seen; keep its markers in the picture", tool_);
-    case Unseen::tool_uncertain:
+    case UnknownPlace::tool_uncertain:
       return fmt::format("the {} is seen badly, its pose is uncertain; hold it still, in better light", tool_);
-    case Unseen::mannequin_lost:
+    case UnknownPlace::mannequin_lost:
       return "no marker of the mannequin's board is seen; keep it in the picture";
-    case Unseen::mannequin_uncertain:
+    case UnknownPlace::mannequin_uncertain:
       return "the mannequin's board is seen badly, its pose is uncertain; uncover it";
   }
   return {};
@@ -72,7 +72,7 @@ ToolSightings::ToolSightings(std::vector<MarkerBody> bodies, const Similarity& m
     : bodies_(std::move(bodies)), place_(mannequin_from_patient), live_(live) {
   mannequin_ = place_of(bodies_, "mannequin");
   if (mannequin_ == bodies_.size())
-    throw InputError("no body is called \"mannequin\", which the patient is laid into; name one so in the bodies");
+    throw InputError("no body is called \"mannequin\", in which the patient is placed; name one so in the bodies");
 }
 
 std::shared_ptr<ToolFeed> ToolSightings::follow(const std::string& tool) {
@@ -87,7 +87,7 @@ std::shared_ptr<ToolFeed> ToolSightings::follow(const std::string& tool) {
   }
   auto feed = std::make_shared<ToolFeed>(tool, live_);
   const std::lock_guard guard(lock_);
-  for (const std::vector<ToolSighting>& picture : kept_) tell(*feed, picture[body]);
+  for (const std::vector<ToolSighting>& picture : kept_) publish(*feed, picture[body]);
   feed->delay_.store(delay_);
   {
     const std::lock_guard inner(feed->lock_);
@@ -107,15 +107,16 @@ ToolSighting ToolSightings::sighting(std::size_t body, const std::vector<Tracked
   const TrackedPose &tool = poses[body], &mannequin = poses[mannequin_];
   ToolSighting found;
   found.time = time;
-  found.unseen = why_unseen(mannequin.status, Unseen::mannequin_lost, Unseen::mannequin_uncertain);
-  if (found.unseen == Unseen::no) found.unseen = why_unseen(tool.status, Unseen::tool_lost, Unseen::tool_uncertain);
-  // The mannequin rests, so that the mean over its rest says better where it is than one picture.
-  if (found.unseen == Unseen::no)
+  found.unseen = why_unseen(mannequin.status, UnknownPlace::mannequin_lost, UnknownPlace::mannequin_uncertain);
+  if (found.unseen == UnknownPlace::no)
+    found.unseen = why_unseen(tool.status, UnknownPlace::tool_lost, UnknownPlace::tool_uncertain);
+  // The mannequin rests, so the mean over its rest gives its place better than one image.
+  if (found.unseen == UnknownPlace::no)
     found.pose = tool_in_patient(bodies_[body], tool.camera_from_body, mannequin.filtered, place_);
   return found;
 }
 
-void ToolSightings::tell(ToolFeed& feed, const ToolSighting& sighting) {
+void ToolSightings::publish(ToolFeed& feed, const ToolSighting& sighting) {
   feed.unseen_.store(sighting.unseen, std::memory_order_relaxed);
   if (feed.ring_.push(sighting)) feed.newest_.store(sighting.time, std::memory_order_release);
 }
@@ -124,7 +125,7 @@ void ToolSightings::publish(const std::vector<TrackedPose>& poses, double time, 
   if (live_ && (now - time > one_clock || now < time)) time = now;
   const std::lock_guard guard(lock_);
   if (live_) {
-    // The pose between two pictures is known when the second one has come.
+    // The pose between two images is known once the second one has arrived.
     if (last_ && time > *last_) delays_.push_back(std::min(now - *last_, one_clock));
     if (delays_.size() > delays_kept) delays_.erase(delays_.begin());
     delay_ = late_margin + (delays_.empty() ? now - time : *std::max_element(delays_.begin(), delays_.end()));
@@ -138,7 +139,7 @@ void ToolSightings::publish(const std::vector<TrackedPose>& poses, double time, 
     const std::shared_ptr<ToolFeed> feed = follower.feed.lock();
     if (feed == nullptr) continue;
     feed->delay_.store(delay_, std::memory_order_relaxed);
-    tell(*feed, sighting(follower.body, poses, time));
+    publish(*feed, sighting(follower.body, poses, time));
   }
 }
 

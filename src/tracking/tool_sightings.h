@@ -18,8 +18,8 @@
 
 namespace bodkin::tracking {
 
-// Why a tool's place in the patient is not known in a picture.
-enum class Unseen : std::uint8_t {
+// Reasons why a tool's place in the patient is unknown in an image.
+enum class UnknownPlace : std::uint8_t {
   no,  // it is known
   tool_lost,
   tool_uncertain,
@@ -27,38 +27,37 @@ enum class Unseen : std::uint8_t {
   mannequin_uncertain
 };
 
-// A tool in one picture.
+// A tool in one image.
 struct ToolSighting {
-  double time = 0.0;             // s, of the picture: when it was taken
-  Pose pose = Pose::Identity();  // LPS mm, as tool_in_patient() has it; meaningless where it was not seen
-  Unseen unseen = Unseen::tool_lost;
+  double time = 0.0;             // s, of the image's exposure
+  Pose pose = Pose::Identity();  // LPS mm, as from tool_in_patient(); meaningless if it was not seen
+  UnknownPlace unseen = UnknownPlace::tool_lost;
 };
 
-// What one follower gets of a tool, in order: from the camera's thread to the follower's, which never waits.
+// The sightings of a tool for one follower, in order: from the camera's thread to the follower's, which never waits.
 class ToolFeed {
  public:
   static constexpr std::size_t capacity = 256;  // pictures
 
-  // `live`: pictures of now, of which late ones are dropped; else footage, which waits for its follower.
+  // `live`: present images, of which late ones are dropped; else footage, which waits for its follower.
   ToolFeed(std::string tool, bool live) : tool_(std::move(tool)), live_(live) {}
 
   // Follower's thread; wait-free.
   bool next(ToolSighting& sighting) noexcept { return ring_.pop(sighting); }
   bool live() const noexcept { return live_; }
-  // s by which a live picture is old, at most, when the one after it has come.
+  // s, largest age of a live image when the next one arrives.
   double delay() const noexcept { return delay_.load(std::memory_order_relaxed); }
-  // Time of the newest picture, s.
+  // Time of the newest image, s.
   double newest() const noexcept { return newest_.load(std::memory_order_acquire); }
-  // No picture comes after the newest one.
+  // Whether no further image will follow.
   bool ended() const noexcept { return ended_.load(std::memory_order_acquire); }
   bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
-  // Of the newest picture.
-  Unseen unseen() const noexcept { return unseen_.load(std::memory_order_relaxed); }
+  // Of the newest image.
+  UnknownPlace unseen() const noexcept { return unseen_.load(std::memory_order_relaxed); }
 
-  // Any thread but the follower's tick: why nothing is known of the tool, one sentence; empty: it is seen.
+  // Any thread but the follower's tick: why the tool is not seen, one sentence; empty: it is seen.
   std::string trouble() const;
-  // Any thread but the follower's tick: what a user should know of the pictures themselves (ToolSightings::note());
-  // empty: nothing.
+  // Any thread but the follower's tick: remarks for the user about the images (ToolSightings::note()); empty: none.
   std::string note() const;
   const std::string& tool() const noexcept { return tool_; }
 
@@ -70,34 +69,34 @@ class ToolFeed {
   SingleProducerRing<ToolSighting> ring_{capacity};
   std::atomic<double> delay_{0.0}, newest_{-1e300};
   std::atomic<bool> ended_{false}, failed_{false};
-  std::atomic<Unseen> unseen_{Unseen::tool_lost};
-  mutable std::mutex lock_;  // guards the three below
+  std::atomic<UnknownPlace> unseen_{UnknownPlace::tool_lost};
+  mutable std::mutex lock_;  // guards the next three members
   std::string end_, warning_, note_;
 };
 
-// Tells followers where tools are in the patient, by the poses of each picture.
+// Gives followers the places of tools in the patient, from the poses of each image.
 class ToolSightings {
  public:
-  // Throws InputError when no body is called "mannequin".
+  // Throws InputError when no body is named "mannequin".
   ToolSightings(std::vector<MarkerBody> bodies, const Similarity& mannequin_from_patient, bool live);
 
-  // A follower of the tool from now on, and of footage from its beginning while that is kept (256 pictures). Throws
+  // Adds a follower of the tool from now on, for footage from its beginning while that is stored (256 images). Throws
   // InputError when no body has that name.
   std::shared_ptr<ToolFeed> follow(const std::string& tool);
 
-  // Camera's thread. Poses in the order of the bodies; `time`: s, of the picture; `now`: s, when it has been tracked,
-  // of the same clock where it is live.
+  // Camera's thread. Poses in the order of the bodies; `time`: s, of the image; `now`: s, end of its tracking, on the
+  // same clock if live.
   void publish(const std::vector<TrackedPose>& poses, double time, double now);
-  // A follower of footage has no room for another picture.
+  // Whether a follower of footage has no room for another image.
   bool is_waiting() const;
-  // What a user should know of camera and light while it is so; empty: nothing.
+  // A warning for the user about camera and light while it applies; empty: none.
   void warn(const std::string& sentence);
-  // What a user should know of the pictures from now on, such as that their rate varies (PictureSource::notes()).
+  // A remark for the user about the images from now on, such as that their rate varies (PictureSource::notes()).
   void note(const std::string& sentence);
-  // No picture comes any more; `failure`: why, a sentence; empty: the footage is over.
+  // No further image will follow; `failure`: the reason, a sentence; empty: the footage has ended.
   void end(const std::string& failure);
 
-  // Where the tool is in this picture.
+  // The sighting of the tool in this image.
   ToolSighting sighting(std::size_t body, const std::vector<TrackedPose>& poses, double time) const;
   const std::vector<MarkerBody>& bodies() const { return bodies_; }
   std::size_t mannequin() const { return mannequin_; }
@@ -109,7 +108,7 @@ class ToolSightings {
     std::weak_ptr<ToolFeed> feed;
   };
 
-  static void tell(ToolFeed& feed, const ToolSighting& sighting);
+  static void publish(ToolFeed& feed, const ToolSighting& sighting);
 
   std::vector<MarkerBody> bodies_;
   Similarity place_;
@@ -117,17 +116,17 @@ class ToolSightings {
   std::size_t mannequin_ = 0;
   mutable std::mutex lock_;  // guards the rest
   std::vector<Follower> followers_;
-  std::vector<std::vector<ToolSighting>> kept_;  // of footage, by picture and body
-  std::vector<double> delays_;                   // s, of the last pictures
+  std::vector<std::vector<ToolSighting>> kept_;  // of footage, by image and body
+  std::vector<double> delays_;                   // s, of the last images
   double delay_ = 0.0;
-  std::optional<double> last_;  // time of the picture before
+  std::optional<double> last_;  // time of the previous image
   std::string warning_, note_;
   std::optional<std::string> end_;
 };
 
-// Where followers find the sightings of pictures that a window of this program is tracking already, by their source:
-// a camera can be opened once. Any thread.
+// Registry in which followers find the sightings of images already tracked by a window of this program, by their
+// source: a camera can be opened only once. Any thread.
 void announce(const std::string& source, const std::shared_ptr<ToolSightings>& sightings);
-std::shared_ptr<ToolSightings> announced(const std::string& source);  // null: nobody tracks them
+std::shared_ptr<ToolSightings> announced(const std::string& source);  // null: not tracked
 
 }  // namespace bodkin::tracking

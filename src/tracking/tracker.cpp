@@ -58,7 +58,7 @@ Tracker::Tracker(const CameraModel& camera, std::vector<MarkerBody> bodies, cons
       filters_(bodies_.size()),
       poses_(bodies_.size()) {}
 
-void Tracker::search(const GreyPicture& picture, double time) {
+void Tracker::search(const GreyImage& picture, double time) {
   const bool all_known = std::all_of(poses_.begin(), poses_.end(),
                                      [](const TrackedPose& pose) { return pose.status == TrackingStatus::ok; });
   if (all_known && searched_ && time - *searched_ < settings_.search_every && time >= *searched_) {
@@ -76,7 +76,7 @@ void Tracker::search(const GreyPicture& picture, double time) {
   }
   found_ = search_markers(picture);
   searched_ = time;
-  // In a mirrored picture a marker can be taken for another one, and a body be found where it is not.
+  // In a mirrored image a marker can be mistaken for another, and a body found in the wrong place.
   if (!all_known && (!looked_ || time - *looked_ >= settings_.search_every || time < *looked_)) {
     mirrored_ = is_mirrored(picture);
     looked_ = time;
@@ -84,7 +84,7 @@ void Tracker::search(const GreyPicture& picture, double time) {
   if (mirrored_) found_.clear();
 }
 
-TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) const {
+TrackedPose Tracker::follow(const GreyImage& picture, const MarkerBody& body) const {
   TrackedPose tracked;
   std::vector<int> ids;
   for (const FoundMarker& marker : found_) {
@@ -95,7 +95,7 @@ TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) 
   if (starts.empty()) return tracked;
   RefinedPose best, second;
   for (const StartPose& start : starts) {
-    // Corners are off by a pixel or so: what explains them much worse than another start is not the pose.
+    // Corners have errors of about a pixel: a start that explains them much worse than another is not the pose.
     if (start.error > 3.0 * starts.front().error + 2.0) continue;
     const RefinedPose refined = refinement_.refine(picture, body, ids, start.camera_from_body, settings_.steps);
     if (!refined.sound) continue;
@@ -134,7 +134,7 @@ TrackedPose Tracker::follow(const GreyPicture& picture, const MarkerBody& body) 
   return tracked;
 }
 
-const std::vector<TrackedPose>& Tracker::track(const GreyPicture& picture, double time) {
+const std::vector<TrackedPose>& Tracker::track(const GreyImage& picture, double time) {
   if (picture.width != camera().width || picture.height != camera().height) {
     throw InputError(
         fmt::format("the picture has {} x {} pixels, but the camera was calibrated at {} x {}; calibrate "

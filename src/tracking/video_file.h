@@ -8,16 +8,16 @@
 
 namespace bodkin::tracking {
 
-// Writes a video as Motion JPEG in an AVI file (RIFF AVI 1.0, with its index), which players and ffmpeg read. At most
-// 2 GB, some ten thousand pictures of 1280 x 720.
+// Writes a video as Motion JPEG in an AVI file (RIFF AVI 1.0, with its index), readable by players and ffmpeg. At
+// most 2 GB, some ten thousand images of 1280 x 720.
 class VideoWriter {
  public:
-  // `rate`: pictures/s. Throws SystemError when the file cannot be written.
+  // `rate`: images/s. Throws SystemError when the file cannot be written.
   VideoWriter(const std::filesystem::path& file, int width, int height, double rate);
 
-  // A picture of that size. Throws SystemError.
+  // Adds an image of that size. Throws SystemError.
   void add(const imaging::ImageRgb& picture);
-  // Writes index and header. Nothing may be added afterwards. Throws SystemError.
+  // Writes index and header; add() must not be called afterwards. Throws SystemError.
   void finish();
 
  private:

@@ -55,7 +55,7 @@ class ProgramPipe {
   ProgramPipe(const ProgramPipe&) = delete;
   ProgramPipe& operator=(const ProgramPipe&) = delete;
 
-  // As many bytes as there are, up to `size`.
+  // As many bytes as are available, up to `size`.
   std::size_t read(char* to, std::size_t size) const {
     std::size_t done = 0;
     while (done < size) {

@@ -54,20 +54,20 @@ Attempt::Attempt(const session::Session& session, const anatomy::CaseDescription
 }
 
 void Attempt::find_insertions() {
-  double way_out = 0.0;  // mm outside since the last contact
+  double distance_outside = 0.0;  // mm outside since the last contact
   for (std::size_t i = 0; i < size(); ++i) {
     if (inside[i] == 0) {
-      if (!insertions.empty()) way_out = std::max(way_out, (tip[i] - tip[insertions.back().last]).norm());
+      if (!insertions.empty())
+        distance_outside = std::max(distance_outside, (tip[i] - tip[insertions.back().last]).norm());
       continue;
     }
-    const bool is_new =
-        insertions.empty() ||
-        (insertions.back().last + 1 < i &&
-         (way_out > thresholds_.outside_way || time[i] - time[insertions.back().last] > thresholds_.outside_time));
+    const bool is_new = insertions.empty() || (insertions.back().last + 1 < i &&
+                                               (distance_outside > thresholds_.outside_distance ||
+                                                time[i] - time[insertions.back().last] > thresholds_.outside_time));
     if (is_new) insertions.push_back({i, i, 0.0});
     insertions.back().last = i;
     insertions.back().deepest = std::max(insertions.back().deepest, depth[i]);
-    way_out = 0.0;
+    distance_outside = 0.0;
   }
 }
 
@@ -75,7 +75,7 @@ void Attempt::find_rests() {
   const Insertion& insertion = insertions.back();
   const auto half = static_cast<std::size_t>(std::max(1.0, std::round(rest_half / dt())));
   const std::size_t count = insertion.last - insertion.first + 1;
-  std::vector<Vec3> sums = {Vec3::Zero()};  // of the places before each tick of the insertion
+  std::vector<Vec3> sums = {Vec3::Zero()};  // positions before each tick of the insertion
   std::vector<std::size_t> outside = {0};   // ticks out of contact before each
   for (std::size_t i = insertion.first; i <= insertion.last; ++i) {
     sums.push_back(sums.back() + hand[i]);

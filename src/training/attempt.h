@@ -12,17 +12,17 @@
 
 namespace bodkin::training {
 
-// An insertion: from the contact with the skin until the needle has left the body. A needle that comes back within
-// the thresholds outside_s and outside_mm is still the same insertion.
+// An insertion: from the contact with the skin until the needle has left the body. A needle that returns within the
+// thresholds outside_s and outside_mm continues the same insertion.
 struct Insertion {
   std::size_t first = 0;  // index of the first tick in contact
   std::size_t last = 0;   // of the last one
   double deepest = 0.0;   // mm
 };
 
-// A place in the body where the tip stayed for at least rest_s: the mean of its position over 0.2 s moved by
-// less than rest_mm_per_s from the mean over the 0.2 s before. A tremor of 8 to 12 Hz cancels in these means, so that
-// a trembling hand can rest.
+// A rest of the tip in the body for at least rest_s: the mean of its position over 0.2 s moved by less than
+// rest_mm_per_s from the mean over the 0.2 s before. A tremor of 8 to 12 Hz cancels in these means, so that a
+// trembling hand can rest.
 struct Rest {
   std::size_t first = 0;  // ticks at which the tip rested
   std::size_t last = 0;
@@ -30,8 +30,8 @@ struct Rest {
   double depth = 0.0;       // mean, mm
 };
 
-// Where the tip ended: the deepest rest of the last insertion (the last one of those within same_rest_mm), or the
-// insertion's deepest point when it did not rest. A rest before the skin was pierced is in air and none.
+// The final position of the tip: the deepest rest of the last insertion (the last one of those within same_rest_mm),
+// or the insertion's deepest point without a rest. A rest before the skin is punctured is in air and does not count.
 struct FinalPosition {
   bool is_rest = false;
   std::size_t tick = 0;     // index: the end of the rest, or the deepest tick
@@ -40,8 +40,8 @@ struct FinalPosition {
   anatomy::TissueId tissue = anatomy::tissue::air;
 };
 
-// One recorded attempt, laid out for measuring: a column per quantity, all of one length. Everything comes from the
-// session, and the description from the case.xml that it keeps.
+// One recorded attempt in the form needed for metrics: a column per quantity, all of one length. All data come from
+// the session, and the description from the case.xml stored in it.
 class Attempt {
  public:
   // Throws InputError for a session without ticks. `session` must outlive the object.
@@ -56,8 +56,8 @@ class Attempt {
   double dt() const { return session_.header.dt; }
 
   std::vector<double> time;                // s since the first tick
-  std::vector<Vec3> hand;                  // LPS mm, the tip as the hand holds it
-  std::vector<Vec3> tip;                   // LPS mm, where the tissue at it lies while the patient has breathed out
+  std::vector<Vec3> hand;                  // LPS mm, the tip as held by the hand
+  std::vector<Vec3> tip;                   // LPS mm, position after expiration of the tissue at the tip
   std::vector<Vec3> axis;                  // unit, hub to tip
   std::vector<double> depth;               // mm along the needle's line
   std::vector<double> resistance;          // N
@@ -67,24 +67,24 @@ class Attempt {
   std::vector<Insertion> insertions;       // in order
   std::vector<Rest> rests;                 // in the last insertion, in order
   std::optional<FinalPosition> final_tip;  // none without an insertion
-  double missing = 0.0;                    // s of ticks that were lost while the needle was in the body
+  double missing = 0.0;                    // s of ticks lost while the needle was in the body
 
   // Index of the first tick in contact; only with an insertion.
   std::size_t first_contact() const { return insertions.front().first; }
-  // LPS mm, where at a tick tissue is that lies at `material` while the patient has breathed out.
+  // LPS mm, position at a tick of the tissue that lies at `material` after expiration.
   Vec3 now(const Vec3& material, std::size_t index) const;
   // Index of the tick of an event.
   std::size_t index_of(const session::SessionEvent& event) const;
   // The tissue of that name in the session's own list.
   std::optional<anatomy::TissueId> find_tissue(const std::string& name) const;
-  // "ligamentum flavum", or "tissue N" for an id that the session does not name.
+  // "ligamentum flavum", or "tissue N" for an id without a name in the session.
   std::string title_of(anatomy::TissueId id) const;
 
  private:
   void find_insertions();
   void find_rests();
   void find_final_tip();
-  anatomy::TissueId tissue_of(const Rest& rest) const;  // where the tip was for most of it
+  anatomy::TissueId tissue_of(const Rest& rest) const;  // the most frequent tissue at the tip
 
   std::vector<double> drawn_in_;  // 0 to 1; empty: the patient does not breathe
   const session::Session& session_;
@@ -92,7 +92,7 @@ class Attempt {
   Thresholds thresholds_;
 };
 
-// The description that the session keeps of its case. Throws InputError when it cannot be read.
+// The description of its case stored in the session. Throws InputError when it cannot be read.
 anatomy::CaseDescription description_of(const session::Session& session);
 
 }  // namespace bodkin::training

@@ -55,7 +55,7 @@ class Cohort {
       if (file != partial_) load(file);
     }
     const std::vector<std::uint64_t> own = load(partial_);
-    // Written anew, so that a row that broke off is not continued.
+    // Rewritten, so that a truncated row is not continued.
     std::string known = first_line_;
     for (const std::uint64_t trainee : own) known += blocks_[trainee] + end_line(trainee);
     write_file(partial_, known);
@@ -89,7 +89,7 @@ class Cohort {
     return file;
   }
 
-  // Of this cohort, whichever part has written them. One that another part removes meanwhile is left out.
+  // Of this cohort, by any part. One that another part removes meanwhile is omitted.
   std::vector<fs::path> partial_files() const {
     const fs::path folder = settings_.output.has_parent_path() ? settings_.output.parent_path() : fs::path(".");
     const std::string beginning = settings_.output.filename().string() + ".partial";
@@ -104,7 +104,7 @@ class Cohort {
     return files;
   }
 
-  // The table, when every trainee is done; otherwise another part will write it.
+  // Writes the table when every trainee is done; otherwise another part will.
   void put_together() {
     const std::vector<fs::path> files = partial_files();
     for (const fs::path& file : files) load(file);
@@ -118,7 +118,7 @@ class Cohort {
     summarise();
   }
 
-  // Takes over the trainees that the file has to their end, and returns them.
+  // Takes over the trainees that are complete in the file, and returns them.
   std::vector<std::uint64_t> load(const fs::path& file) {
     std::vector<std::uint64_t> found;
     std::ifstream stream(file, std::ios::binary);

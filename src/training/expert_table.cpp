@@ -39,7 +39,7 @@ std::string text_of(const Thresholds& thresholds) {
   return text.empty() ? "the usual ones" : text;
 }
 
-// What a table says of its thresholds. One of before it said so was measured with the usual ones.
+// The thresholds stated in a table. An older table without a statement used the usual ones.
 std::string thresholds_in(std::string_view table) {
   const std::size_t at = table.find(thresholds_mark);
   if (at == std::string_view::npos) return text_of({});
@@ -47,7 +47,7 @@ std::string thresholds_in(std::string_view table) {
   return std::string(table.substr(from, table.find('\n', from) - from));
 }
 
-// The rows that a table of ours holds; none where there is no file.
+// The rows of one of our tables; none if there is no file.
 std::vector<TableRow> rows_of(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return {};

@@ -10,28 +10,28 @@
 
 namespace bodkin::training {
 
-// Where a person's own experts at a procedure are kept: experts/PROCEDURE.csv in the data folder.
+// The file of a person's own experts at a procedure: experts/PROCEDURE.csv in the data folder.
 std::filesystem::path own_expert_file(const std::string& procedure);
 
-// The experts that attempts at a procedure are compared with: a person's own where there are some, or else those that
-// come with Bodkin, who were measured with the default thresholds. Experts who were measured with other thresholds
-// than the procedure states are not compared with. Throws InputError for a table of one's own that cannot be read.
+// The experts with whom attempts at a procedure are compared: a person's own if there are any, otherwise those that
+// come with Bodkin, measured with the default thresholds. Experts measured with thresholds other than the procedure's
+// are not used. Throws InputError when the person's own table cannot be read.
 std::optional<ExpertSet> experts_of(const Procedure& procedure);
 
-// An expert's attempt on its way into a table.
+// An expert's attempt to be added to a table.
 struct ExpertAttempt {
   std::string digest;  // of its session; no attempt is in a table twice
   Score score;
 };
 
 struct ExpertsAdded {
-  std::size_t added = 0, known = 0;  // known: they were in the table before
+  std::size_t added = 0, known = 0;  // known: they were already in the table
   std::size_t attempts = 0;          // in the table now
 };
 
-// Adds attempts to the table in `file`, which is made where it is missing, and replaced as a whole; it says with
-// which thresholds they were measured. Throws InputError for a table that another version of Bodkin wrote or that is
-// none, for attempts with other thresholds than those in it, SystemError when it cannot be written.
+// Adds attempts to the table in `file`, which is created if missing, and replaced atomically; it records the
+// thresholds of the measurement. Throws InputError for an invalid table or one written by another version of Bodkin,
+// and for attempts with other thresholds than those in it, SystemError when it cannot be written.
 ExpertsAdded add_experts(const std::filesystem::path& file, std::span<const ExpertAttempt> attempts);
 
 }  // namespace bodkin::training

@@ -15,7 +15,7 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double near_miss_step = 0.25;  // mm of travel between two looks
+constexpr double near_miss_step = 0.25;  // mm of travel between two checks
 constexpr double organ_wall = 10.0;      // mm of the planned path before the target in which its organ begins
 
 // "inferior_vena_cava" becomes "inferior vena cava".
@@ -65,8 +65,8 @@ class HarmSearch {
                                           [&](const Forbidden& each) { return each.tissue == tissue; });
   }
 
-  // Labels of the organ that the planned target lies in: from the target back along the path, as long as the label is
-  // that of a structure that must not be entered.
+  // Labels of the organ that contains the planned target: from the target back along the path, as long as the label
+  // is that of a structure that must not be entered.
   std::set<std::uint16_t> meant(const std::set<std::uint16_t>& guarded) const {
     std::set<std::uint16_t> found;
     const anatomy::NeedlePath& path = attempt_.path();
@@ -115,7 +115,7 @@ class HarmSearch {
       const auto id = attempt_.find_tissue(each.tissue);
       if (!id) {
         require_known_tissue(each.tissue, procedure_);
-        continue;  // a session from before Bodkin knew it
+        continue;  // a session of an older Bodkin that did not record it
       }
       Forbidden forbidden = each;
       if (forbidden.title.empty()) forbidden.title = attempt_.title_of(*id);
@@ -140,7 +140,7 @@ class HarmSearch {
     return ids;
   }
 
-  // After look_for(), which knows of entries and of the margin what the way's points may have missed.
+  // After look_for(), which knows entries and distances that the points of the way may have missed.
   void measure_distance(const Forbidden& forbidden, const std::optional<NearestVoxel>& nearest) {
     ForbiddenDistance found{.title = forbidden.title, .closest = {}};
     if (nearest) {
@@ -205,7 +205,7 @@ class HarmSearch {
   const Attempt& attempt_;
   const Procedure& procedure_;
   const PatientVolumes& volumes_;
-  std::vector<char> covered_;  // ticks that an entry into a structure accounts for
+  std::vector<char> covered_;  // ticks caused by an entry into a structure
   std::vector<WayPoint> way_;  // of the tip in the body
   std::optional<SurfaceVoxels<std::uint16_t>> structure_surfaces_;
   std::optional<SurfaceVoxels<std::uint8_t>> tissue_surfaces_;

@@ -42,7 +42,7 @@ std::optional<SkinPlace> skin_place(const Vec3& place, const anatomy::CaseDescri
   }
   const Vec3 offset = place - levels[nearest].position, along = line_at(levels, nearest);
   SkinPlace found{.level = levels[nearest].name, .along = offset.dot(along), .midline = 0.0};
-  // Across the back: what is in front of or behind the line is the curve of the skin.
+  // Only across the back: the offset in front of or behind the line is the curve of the skin.
   const Vec3 side = Vec3(along.z(), 0.0, -along.x());
   found.midline = side.norm() > 1e-6 ? std::abs(offset.dot(side.normalized())) : 0.0;
   return found;

@@ -59,7 +59,7 @@ void follow(const Attempt& attempt, std::size_t index, Puncture& puncture) {
   puncture.reaction = attempt.time[stop] - attempt.time[index];
 }
 
-// The greatest speed inwards in the second before, over a span in which tremor cancels.
+// The greatest inward speed in the second before, over a span in which tremor cancels.
 double approach_speed(const Attempt& attempt, std::size_t index) {
   constexpr double looked_back = 1.0, span_of_approach = 0.1;  // s
   const auto span = static_cast<std::size_t>(std::max(1.0, std::round(span_of_approach / attempt.dt())));
@@ -140,7 +140,7 @@ Measured::Measured(const Attempt& its_attempt, const std::vector<std::string>& n
       total.peak_depth = depth;
     }
   }
-  // What gave way had been pushed by a tip that was still before it: the force was that tissue's.
+  // The tissue that gave way had been pushed by a tip still before it: the force was that tissue's.
   for (const session::SessionEvent& each : attempt.session().events) {
     const forces::Event& event = each.event;
     if (event.kind != forces::EventKind::puncture || event.felt == 0.0) continue;

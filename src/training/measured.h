@@ -9,30 +9,30 @@
 
 namespace bodkin::training {
 
-// What followed when a tissue gave way.
+// A puncture and the motion that followed it.
 struct Puncture {
   forces::EventKind kind = forces::EventKind::puncture;
-  anatomy::TissueId tissue = anatomy::tissue::air;  // that gave way
+  anatomy::TissueId tissue = anatomy::tissue::air;  // the punctured tissue
   double time = 0.0;                                // s since the first tick
   double depth = 0.0;                               // mm
-  double force = 0.0;                               // N: at which it gave way; of a loss of resistance, the drop
-  double overshoot = 0.0;  // mm that the tip went further until it stopped (slower than stop_mm_per_s inwards)
-  double speed = 0.0;      // mm/s, greatest on that way, over 20 ms
+  double force = 0.0;                               // N: puncture force; of a loss of resistance, the drop
+  double overshoot = 0.0;  // mm of further travel of the tip until it stopped (slower than stop_mm_per_s inwards)
+  double speed = 0.0;      // mm/s, largest during that travel, over 20 ms
   double reaction = 0.0;   // s until it stopped
-  double approach = 0.0;   // mm/s, greatest inwards in the second before, over 100 ms
+  double approach = 0.0;   // mm/s, largest inwards in the second before, over 100 ms
 };
 
-// A tissue over the whole session, however often the tip came there.
+// A tissue over the whole session, over all visits of the tip.
 struct TissueTotal {
   anatomy::TissueId tissue = anatomy::tissue::air;
   double from = 0.0, to = 0.0;  // mm, shallowest and deepest depth of the tip in it
   double time = 0.0;            // s
   double peak_force = 0.0;      // N, largest resistance with the tip in it
   double peak_depth = 0.0;      // mm
-  double work = 0.0;            // N mm that the hand did with the tip in it
+  double work = 0.0;            // N mm done by the hand with the tip in it
 };
 
-// Where the planned target lies from a point.
+// The position of a point relative to the planned target.
 struct TargetError {
   double distance = 0.0;  // mm
   double axial = 0.0;     // mm along the planned path, positive = too deep
@@ -40,9 +40,9 @@ struct TargetError {
 };
 TargetError target_error(const Vec3& tip, const anatomy::NeedlePath& path);
 
-// What several metrics are made from, found once.
+// Intermediate results for several metrics, computed once.
 struct Measured {
-  // `named`: the tissues and structures that matter to the procedure, by name.
+  // `named`: the tissues and structures relevant to the procedure, by name.
   explicit Measured(const Attempt& its_attempt, const std::vector<std::string>& named = {});
 
   const Attempt& attempt;
@@ -52,19 +52,19 @@ struct Measured {
   std::optional<Tremor> tremor;
   std::vector<Puncture> punctures;   // punctures and losses of resistance or pressure, in order
   std::vector<TissueTotal> tissues;  // in the order of their first depth
-  // Those of `named` that came into the ultrasound's picture, in the order in which they did.
+  // Those of `named` that appeared in the ultrasound image, in chronological order.
   std::vector<session::ScannedPart> scanned;
   int redirections = 0;     // retreats of over retreat_mm, then an advance with another axis
-  double work = 0.0;        // N mm that the hand did against the applied force
+  double work = 0.0;        // N mm done by the hand against the applied force
   double peak_force = 0.0;  // N, largest resistance in the body
-  double peak_depth = 0.0;  // mm, where that was
+  double peak_depth = 0.0;  // mm, its depth
   anatomy::TissueId peak_tissue = anatomy::tissue::air;
 
-  // mm, least distance of the tip in the body from anything that it must not enter; 0 where it entered. Not of the
-  // session: whoever has the patient's voxels fills it in.
+  // mm, least distance of the inserted tip from anything that it must not enter; 0 if it entered. Not part of the
+  // session: a caller with the patient's voxels sets it.
   std::optional<double> nearest_forbidden;
 
-  // The first loss of resistance, or else of pressure; nullptr when there was none.
+  // The first loss of resistance, or else of pressure; nullptr if there was none.
   const Puncture* loss() const;
 };
 

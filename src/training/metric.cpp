@@ -13,7 +13,7 @@ std::span<const Metric> all_metrics() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> list;
     for (const auto& group :
-         {metrics_of_time(), metrics_of_target(), metrics_of_way(), metrics_of_tissue(), metrics_of_motion(),
+         {metrics_of_time(), metrics_of_target(), metrics_of_path(), metrics_of_tissue(), metrics_of_motion(),
           metrics_of_hands(), metrics_of_technique(), metrics_of_ultrasound(), metrics_of_guidance(),
           metrics_of_palpation(), metrics_of_fluid()})
       list.insert(list.end(), group.begin(), group.end());

@@ -10,7 +10,7 @@ namespace bodkin::training {
 std::vector<Metric> metrics_of_time();
 std::vector<Metric> metrics_of_motion();
 std::vector<Metric> metrics_of_target();
-std::vector<Metric> metrics_of_way();
+std::vector<Metric> metrics_of_path();
 std::vector<Metric> metrics_of_tissue();
 std::vector<Metric> metrics_of_hands();
 std::vector<Metric> metrics_of_technique();
@@ -19,7 +19,7 @@ std::vector<Metric> metrics_of_guidance();
 std::vector<Metric> metrics_of_palpation();
 std::vector<Metric> metrics_of_fluid();
 
-// LPS mm, where a finger felt the skin before the first insertion, in order.
+// LPS mm, positions palpated by a finger before the first insertion, in order.
 std::vector<Vec3> felt_before_entry(const Attempt& attempt);
 
 // The value of an attempt that has an insertion, or nothing.

@@ -11,9 +11,9 @@ using forces::EventKind;
 constexpr double centimetre = 10.0;    // mm
 constexpr double millilitre = 1000.0;  // mm^3
 constexpr double least_amount =
-    1000.0;  // mm^3; a pressure is the opening one before they are collected, then closing
+    1000.0;  // mm^3; before they are collected a pressure is the opening one, then the closing one
 
-// What was done with the fluid, over all insertions.
+// The handling of the fluid, over all insertions.
 struct FluidRecord {
   double collected = 0.0;  // mm^3
   double readings = 0.0;
@@ -56,7 +56,7 @@ FluidRecord read_fluid(const Attempt& attempt) {
         }
         break;
       case EventKind::withdrawn:
-        // With the stylet out only fluid shows that there is a way for it: a touch of the skin is no matter.
+        // With the stylet out, only fluid proves an open way: a touch of the skin does not matter.
         if (returned && settings.stylet == attempt.session().ticks[index].input.other.stylet_moved)
           found.open_withdrawals += 1.0;
         break;

@@ -56,7 +56,7 @@ std::optional<double> nearest_forbidden(const Measured& measured) {
 std::vector<Metric> metrics_of_guidance() {
   return {
       {"aim_miss_mm", "mm", "distance of the needle's line at the skin from the target",
-       "of the straight line on from the needle at the first contact of the last insertion",
+       "of the needle's line, continued beyond the tip, at the first contact of the last insertion",
        "TrainUS, trajectory hits the target", aim_miss},
       {"aim_off_line_mm", "mm", "distance of the tip at the skin from the line of the planned path",
        "at the first contact of the last insertion", "TrainUS, distance from the optimal line", aim_off_line},

@@ -8,7 +8,7 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double turn_span = 0.05;  // s over which a turn is taken, so that noise of the rotation does not add up
+constexpr double turn_span = 0.05;          // s over which a rotation is taken, so that noise does not add up
 constexpr std::size_t fewest_samples = 10;  // of a correlation
 
 std::size_t ticks_in(double seconds, const Attempt& attempt) {
@@ -96,7 +96,7 @@ std::optional<double> hands_together(const Measured& measured) {
     xy += hand * needle;
   }
   const double spread_x = n * xx - x * x, spread_y = n * yy - y * y;
-  // A hand that did not move has no correlation; the bound is what rounding leaves of its variance.
+  // A hand that did not move has no correlation; the bound is the rounding error of its variance.
   if (n < static_cast<double>(fewest_samples) || spread_x <= 1e-9 * n * xx || spread_y <= 1e-9 * n * yy)
     return std::nullopt;
   return (n * xy - x * y) / std::sqrt(spread_x * spread_y);
@@ -105,20 +105,21 @@ std::optional<double> hands_together(const Measured& measured) {
 }  // namespace
 
 std::vector<Metric> metrics_of_hands() {
-  return {{"translational_actions", "", "quick movements of the tip",
-           "times that the filtered tip was faster than 50 mm/s for over 0.2 s, with as much of rest between",
-           "PerkTutor, Translational Actions, by the speed of the tip", translational_actions},
-          {"rotational_actions", "", "quick turns of the needle",
-           "times that it turned by over 50 deg/s for over 0.2 s, over 50 ms, with as much of rest between",
-           "PerkTutor, Rotational Actions", rotational_actions},
-          {"spin_deg", "deg", "turning about the shaft in the body",
-           "sum of the turns about the needle's own axis, 50 ms apart", "PerkTutor, Rotation Total, the spin alone",
-           spin},
-          {"sawing", "", "travel along the shaft over the greatest depth",
-           "1 for a needle that only goes in, 2 when it is drawn out too", "Bodkin", sawing},
-          {"hands_together", "", "how the two hands move together",
-           "Pearson's correlation of the speeds of needle and second hand, between the second hand's samples",
-           "PerkTutor, Bimanual Dexterity", hands_together}};
+  return {
+      {"translational_actions", "", "quick movements of the tip",
+       "times that the filtered tip was faster than 50 mm/s for over 0.2 s, with at least as long a rest in between",
+       "PerkTutor, Translational Actions, by the speed of the tip", translational_actions},
+      {"rotational_actions", "", "quick turns of the needle",
+       "times that it turned by over 50 deg/s for over 0.2 s, over 50 ms, with at least as long a rest in between",
+       "PerkTutor, Rotational Actions", rotational_actions},
+      {"spin_deg", "deg", "turning about the shaft in the body",
+       "sum of the turns about the needle's own axis, 50 ms apart", "PerkTutor, Rotation Total, the spin alone",
+       spin},
+      {"sawing", "", "travel along the shaft over the greatest depth",
+       "1 for a needle that only goes in, 2 when it is drawn out too", "Bodkin", sawing},
+      {"hands_together", "", "how the two hands move together",
+       "Pearson's correlation of the speeds of needle and second hand, between the second hand's samples",
+       "PerkTutor, Bimanual Dexterity", hands_together}};
 }
 
 }  // namespace bodkin::training

@@ -7,13 +7,13 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double shortest_way = 0.1;  // mm; below it a share of the way means nothing
+constexpr double shortest_way = 0.1;  // mm; below it a share of the way is meaningless
 
 std::optional<double> path_length_of(const Measured& measured) {
   return with_insertion(measured, [&](const Attempt&) { return measured.path_length; });
 }
 
-// PerkTutor's Path Length has the ways outside the body too.
+// PerkTutor's Path Length includes the ways outside the body.
 std::optional<double> whole_path_length(const Measured& measured) {
   double length = 0.0;
   for (std::size_t i = 1; i < measured.motion.tip.size(); ++i)
@@ -21,7 +21,7 @@ std::optional<double> whole_path_length(const Measured& measured) {
   return length;
 }
 
-// Share of the time, of either speed.
+// Shares of the time at either speed.
 std::optional<double> time_in_action(const Measured& measured) {
   const Motion& motion = measured.motion;
   double active = 0.0, all = 0.0;
@@ -33,7 +33,7 @@ std::optional<double> time_in_action(const Measured& measured) {
   return all > 0.0 ? std::optional(100.0 * active / all) : std::nullopt;
 }
 
-// From the last skin contact to the final position: how much longer the way was than straight.
+// From the last skin contact to the final position: length of the way over the straight distance.
 std::optional<double> path_inefficiency(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
   if (attempt.insertions.empty()) return std::nullopt;
@@ -131,14 +131,14 @@ std::vector<Metric> metrics_of_motion() {
       {"path_length_mm", "mm", "length of the tip's path in the body",
        "sum of the distances between points of the filtered motion (10 Hz, sampled at 100 Hz)",
        "PerkTutor, Path in Tissue", path_length_of},
-      {"whole_path_length_mm", "mm", "length of the tip's path", "the same with the ways outside the body",
+      {"whole_path_length_mm", "mm", "length of the tip's path", "the same, with the motion outside the body",
        "PerkTutor, Path Length", whole_path_length},
       {"in_action_percent", "%", "time in action",
        "share of the time in the body in which the filtered tip moves by over 5 mm/s or the needle turns by over 10 "
        "deg/s, each change counted once it has lasted for over 0.2 s",
        "TrainUS, in action", time_in_action},
       {"path_inefficiency_percent", "%", "detour to the final position",
-       "length of the way from the last contact to the final position, over the straight distance, less 100 %",
+       "length of the path from the last contact to the final position, divided by the straight distance, less 100 %",
        "PerkTutor, Path Inefficiency", path_inefficiency},
       {"travel_along_mm", "mm", "travel along the shaft", "sum of the filtered motion's steps along the needle",
        "PerkTutor, Depth Perception", travel_along},

@@ -26,8 +26,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-// Where a curve turns by at least `least`: maxima and minima in turn. What comes before the first turn and after the
-// last one is the way in and out.
+// Turning points of a curve by at least `least`: maxima and minima alternately. The parts before the first and after
+// the last are the way in and out.
 std::optional<Oscillation> oscillation(const std::vector<Turn>& curve, double least) {
   std::vector<Turn> turns;
   if (curve.empty()) return std::nullopt;

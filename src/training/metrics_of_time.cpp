@@ -31,7 +31,7 @@ std::optional<double> redirections(const Measured& measured) {
   return measured.redirections;
 }
 
-// Of a needle that a camera sees; others are never out of sight.
+// For a needle seen by a camera; others are never out of sight.
 bool is_tracked(const session::Session& session) {
   const nlohmann::json settings = nlohmann::json::parse(session.header.operator_settings, nullptr, false);
   return settings.is_object() && settings.value("driver", "") == "tracked";

@@ -31,14 +31,14 @@ struct Seen {
   Mean tip_seen, target_seen;          // 1: it was
 };
 
-// Of the moments of the probe while the needle was in the body.
+// Samples of the probe while the needle was in the body.
 std::optional<Seen> look(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
   const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
   const std::vector<char>& moving = measured.active;
   const auto& machine = attempt.session().header.ultrasound;
   Seen found;
-  for (const ProbeMoment& probe : probe_track(attempt.session())) {
+  for (const ProbeState& probe : probe_track(attempt.session())) {
     const auto place = std::lower_bound(attempt.time.begin(), attempt.time.end(), probe.time - start);
     if (place == attempt.time.end()) continue;
     const auto i = static_cast<std::size_t>(place - attempt.time.begin());
@@ -81,8 +81,8 @@ std::optional<double> percent_of(const Measured& measured, Mean Seen::*member) {
   return seen ? std::optional(100.0 * (*seen.*member).sum / (*seen.*member).count) : std::nullopt;
 }
 
-// PerkTutor asks of one structure whether any scanline ever met it; here the procedure says of which, and a line ends
-// at bone and gas, behind which a picture shows nothing.
+// PerkTutor asks whether any scanline ever met one structure; here the procedure names the structure, and a line ends
+// at bone and gas, behind which an image shows nothing.
 std::optional<double> structures_scanned(const Measured& measured) {
   if (!measured.attempt.session().header.ultrasound) return std::nullopt;
   return static_cast<double>(measured.scanned.size());
@@ -119,8 +119,8 @@ std::vector<Metric> metrics_of_ultrasound() {
           {"needle_to_slice_moving_max_deg", "deg",
            "greatest angle between a needle in action and the ultrasound slice", "the same, greatest",
            "TrainUS, while in action", [](const Measured& m) { return greatest_of(m, &Seen::moving_angle); }},
-          {"needle_to_target_deg", "deg", "angle between needle and the way to the target in the ultrasound picture",
-           "both cast on the slice, mean over the samples with the tip over 1 mm from the target", "TrainUS",
+          {"needle_to_target_deg", "deg", "angle between needle and the line to the target in the ultrasound picture",
+           "both projected onto the slice, mean over the samples with the tip over 1 mm from the target", "TrainUS",
            [](const Measured& m) { return mean_of(m, &Seen::to_target); }},
           {"structures_scanned", "", "structures of the procedure that the ultrasound showed",
            "of the tissues and structures that the procedure names, those that a scanline met, before bone or gas "

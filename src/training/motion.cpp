@@ -17,7 +17,7 @@ constexpr int window = 100;              // samples of a spectrum, at `rate`: 1 
 constexpr int lowest_line = 4;           // Hz
 constexpr int highest_line = 12;         // Hz
 
-// Means of the tip over 10 ms: what a spectrum at 100 Hz can show, and nothing folded into it that matters.
+// Means of the tip over 10 ms: the band of a spectrum at 100 Hz, with negligible aliasing.
 struct Means {
   std::vector<Vec3> tip;
   std::vector<char> inside;  // all ticks of it
@@ -68,7 +68,7 @@ void add_window(const std::vector<Vec3>& tip, std::size_t first, std::array<doub
       cosine += std::cos(phase) * value;
       sine += std::sin(phase) * value;
     }
-    // One-sided, so that the lines of a window add up to the mean square of what lies in it.
+    // One-sided, so that the lines of a window add up to its mean square.
     power[static_cast<std::size_t>(line)] += 2.0 * (cosine.squaredNorm() + sine.squaredNorm()) / (weights * window);
   }
 }
@@ -153,7 +153,7 @@ std::vector<double> turning_speeds(const Attempt& attempt, const Motion& motion)
     const std::size_t before = middle - std::min(middle, half), after = std::min(middle + half, attempt.size() - 1);
     if (after == before) continue;
     const Mat3 turn = ticks[before].input.needle.linear().transpose() * ticks[after].input.needle.linear();
-    // The angle by its sine and its cosine, both of which a small turn has exactly.
+    // The angle by its sine and cosine, both exact for a small rotation.
     const Vec3 sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
     const double angle = std::atan2(sine.norm(), turn.trace() - 1.0) / degree;
     found[i] = angle / (static_cast<double>(after - before) * attempt.dt());

@@ -32,7 +32,7 @@ void check_stage(const PlanStage& stage, const std::string& where) {
   std::error_code failure;
   if (!fs::is_regular_file(fs::path(stage.patient) / "case.xml", failure)) {
     throw InputError(fmt::format(
-        "{}: the case {} is no folder with a case.xml; make one there with 'bodkin case synthesize', or name {}",
+        "{}: the case {} is not a folder with a case.xml; make one there with 'bodkin case synthesize', or name {}",
         where, io::in_quotes(stage.patient), built_in_patient));
   }
   if (!io::read_case_description(stage.patient).procedure.path) {

@@ -9,16 +9,16 @@
 
 namespace bodkin::training {
 
-// What the window shows to help, as a stage allows it.
+// The aids that the window may show in a stage.
 struct PlanAids {
-  bool overlay = true;      // the planned path, the target and the way to it
+  bool overlay = true;      // the planned path, the target and the guidance to it
   bool slices = true;       // through the scan
-  bool inside = true;       // the 3-D picture may look through the skin
+  bool inside = true;       // the 3-D view may look through the skin
   bool ladder = true;       // tissues by depth
-  bool ultrasound = false;  // beside the needle
+  bool ultrasound = false;  // next to the needle
   bool needle = true;       // the needle is drawn, in 3-D and in the slices
-  bool sound = true;        // as far as the person has not switched it off
-  bool hints = true;        // the step of the procedure, and what to do in it
+  bool sound = true;        // unless the person has switched it off
+  bool hints = true;        // the step of the procedure, and instructions for it
 
   template <typename S = PlanAids>
   static constexpr auto parameters() {
@@ -64,10 +64,10 @@ struct PlanStage {
   }
 };
 
-// The folder that a stage names for the patient who comes with the window.
+// The folder name for the patient that comes with the window.
 inline constexpr std::string_view built_in_patient = "built-in";
 
-// What a teacher lets trainees do, in order.
+// The stages that a teacher prescribes for trainees, in order.
 struct Plan {
   std::string name = "plan";
   std::string title;
@@ -81,18 +81,18 @@ struct Plan {
   }
 };
 
-// Reads a plan (docs/plans.md has the format, share/bodkin/plan.xsd its schema); folders of cases become paths from
-// the plan's folder. Throws InputError naming file, line, what was found and what was expected.
+// Reads a plan (docs/plans.md has the format, share/bodkin/plan.xsd its schema); folders of cases become paths
+// relative to the plan's folder. Throws InputError naming file, line, what was found and what was expected.
 Plan read_plan(const std::filesystem::path& file);
-// The same from a document in memory; folders stay as they are.
+// As above, from a document in memory; folders are not changed.
 Plan parse_plan(std::string_view document, const std::string& origin);
 
 // Throws InputError for the first stage whose procedure or patient does not exist, or whose patient has no planned
-// path. Patients are not read whole.
+// path. Does not load whole patients.
 void check_names(const Plan& plan, const std::string& origin);
 
-// A plan that comes with Bodkin (share/bodkin/plans), by its name, or the file of that path. Throws InputError, which
-// lists those that come with Bodkin, when it is neither.
+// A plan that comes with Bodkin (share/bodkin/plans), by its name, or the file of that path. Otherwise throws
+// InputError, which lists those that come with Bodkin.
 std::filesystem::path find_plan(const std::string& name);
 // Names of the plans that come with Bodkin, in alphabetical order.
 std::vector<std::string> shipped_plans();

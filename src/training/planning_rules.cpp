@@ -7,7 +7,7 @@ namespace bodkin::training {
 
 patient::PlanningRules planning_rules(const Procedure& procedure) {
   patient::PlanningRules rules;
-  // A plan leaves more room than a hand must: what is a near miss of an attempt is no margin for a path.
+  // A plan leaves more room than a hand must: a near miss of an attempt is too small a margin for a path.
   for (const Forbidden& each : procedure.forbidden)
     rules.avoid.push_back({each.tissue, each.structure, each.title, std::max(each.margin, rules.margin)});
   std::istringstream levels(procedure.levels);

@@ -10,13 +10,13 @@
 
 namespace bodkin::training {
 
-// What a path of this procedure keeps away from, and at which interspaces it may be planned.
+// The obstacles of a path in this procedure, and the interspaces at which it may be planned.
 patient::PlanningRules planning_rules(const Procedure& procedure);
 
 // The tissue whose touch completes an attempt, because touching it is a goal of the procedure ("mass" in a biopsy);
 // empty: a person ends the attempt.
 std::string completing_tissue(const Procedure& procedure);
-// The same as the patient's library numbers it.
+// As above, as the id in the patient's library.
 std::optional<anatomy::TissueId> completing_id(const Procedure& procedure, const anatomy::TissueLibrary& library);
 
 }  // namespace bodkin::training

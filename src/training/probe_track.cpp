@@ -6,23 +6,23 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double moment_interval = 0.01;  // s, that of a second hand
+constexpr double moment_interval = 0.01;  // s, as for a second hand
 constexpr double time_rounding = 1e-9;    // s
 
-// A second hand's tool: third axis out of its tip, the slice in its first and third.
-ProbeMoment moment_of(const session::SecondSample& sample, double reach) {
+// A second hand's tool: third axis out of its tip, slice in its first and third.
+ProbeState moment_of(const session::SecondSample& sample, double reach) {
   return {sample.time, sample.position, sample.rotation * Vec3::UnitZ(), sample.rotation * Vec3::UnitY(), reach};
 }
 
 }  // namespace
 
-// The probe's own frame: second axis into the patient, the slice in its first and second.
-ProbeMoment probe_moment(const session::ScanSample& sample, double time) {
+// The probe's own frame: second axis into the patient, slice in its first and second.
+ProbeState probe_moment(const session::ScanSample& sample, double time) {
   const Mat3 axes = sample.probe.linear();
   return {time, sample.probe.translation(), axes.col(1), axes.col(2), sample.settings.depth};
 }
 
-bool is_in_picture(const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine, const Vec3& point,
+bool is_in_picture(const ProbeState& probe, const anatomy::UltrasoundProbe* machine, const Vec3& point,
                    double thickness) {
   const Vec3 from_face = point - probe.face;
   if (std::abs(from_face.dot(probe.normal)) > thickness) return false;
@@ -45,8 +45,8 @@ bool is_in_picture(const ProbeMoment& probe, const anatomy::UltrasoundProbe* mac
   return std::atan2(across, down) <= 0.5 * machine->sector * degree && std::hypot(across, down) <= probe.reach;
 }
 
-std::vector<ProbeMoment> probe_track(const session::Session& session) {
-  std::vector<ProbeMoment> track;
+std::vector<ProbeState> probe_track(const session::Session& session) {
+  std::vector<ProbeState> track;
   if (session.header.second && session.header.second->role == session::SecondRole::probe) {
     track.reserve(session.second.size());
     auto now = session.scans.begin();

@@ -12,7 +12,7 @@
 
 namespace bodkin::training {
 
-// How an attempt is judged, from best to worst.
+// The verdict on an attempt, from best to worst.
 enum class Grade : std::uint8_t { pass, borderline, fail, dangerous };
 constexpr std::array<std::string_view, 4> enumeration_names(Grade) {
   return {"pass", "borderline", "fail", "dangerous"};
@@ -24,7 +24,7 @@ constexpr Grade worse(Grade one, Grade other) {
   return one > other ? one : other;
 }
 
-// By what a procedure is known to have reached its aim.
+// The criterion for reaching a procedure's goal.
 enum class GoalKind : std::uint8_t {
   rest,        // the tip's final position lies in a tissue
   touch,       // the tip was in a tissue
@@ -35,13 +35,13 @@ constexpr std::array<std::string_view, 4> enumeration_names(GoalKind) {
   return {"rest", "touch", "event", "near_target"};
 }
 
-// Whether drawing the needle wholly out of the body ends an attempt.
-enum class TakenOutEnds : std::uint8_t {
-  after_goal,  // once its aim was reached; before, the needle may go in again
+// Whether withdrawing the needle wholly from the body ends an attempt.
+enum class WithdrawalEnds : std::uint8_t {
+  after_goal,  // once the goal was reached; before, the needle may be inserted again
   always,
   never
 };
-constexpr std::array<std::string_view, 3> enumeration_names(TakenOutEnds) {
+constexpr std::array<std::string_view, 3> enumeration_names(WithdrawalEnds) {
   return {"after_goal", "always", "never"};
 }
 
@@ -71,7 +71,7 @@ struct Goal {
   }
 };
 
-// A stage of the procedure: what is done, and how a session shows that it was reached.
+// A step of the procedure, and how a session shows that it was reached.
 struct Step {
   std::string title;
   std::string tissue;
@@ -101,7 +101,7 @@ struct Step {
   }
 };
 
-// What the tip must not enter: a tissue, or a structure of the patient's segmentation.
+// A tissue, or a structure of the patient's segmentation, that the tip must not enter.
 struct Forbidden {
   std::string tissue;
   std::string structure;
@@ -130,8 +130,8 @@ struct Forbidden {
   }
 };
 
-// What a metric must be. Inside `pass_from` to `pass_to` it is a pass, else inside `borderline_from` to
-// `borderline_to` borderline, else `beyond`. A session that does not have the metric is graded `absent`.
+// The required range of a metric. Inside `pass_from` to `pass_to` the grade is a pass, else inside `borderline_from`
+// to `borderline_to` borderline, else `beyond`. A session without the metric is graded `absent`.
 struct Rule {
   std::string metric;
   double pass_from = -unbounded;
@@ -173,18 +173,18 @@ struct Rule {
   }
 };
 
-// A procedure as its file describes it (docs/training.md): its steps, its aim, what must not happen, and what a pass
-// asks for. It knows no patient: the path, the target and the needle are the case's.
+// A procedure as described in its file (docs/training.md): its steps, its goal, what is forbidden, and the criteria
+// for a pass. It is independent of a patient: the path, the target and the needle are the case's.
 struct Procedure {
   std::string name = "procedure";
   std::string title;
   std::string description;
-  std::string levels;  // interspaces that may be entered, names of landmarks with a blank between; empty: any place
-  std::string expert = "expert";  // simulated operator who is good at it, see session::load_operator
-  std::string needle;             // that is usual: "GAUGE,LENGTH,TIP"; empty: the case chooses
+  std::string levels;  // interspaces that may be entered, names of landmarks separated by blanks; empty: any
+  std::string expert = "expert";  // simulated expert operator, see session::load_operator
+  std::string needle;             // usual one: "GAUGE,LENGTH,TIP"; empty: the case's
   int thickest_gauge = 10;
   int thinnest_gauge = 34;
-  TakenOutEnds taken_out_ends = TakenOutEnds::after_goal;
+  WithdrawalEnds withdrawal_ends = WithdrawalEnds::after_goal;
   std::vector<Step> steps;
   std::vector<Goal> goals;  // any one suffices
   std::vector<Forbidden> forbidden;
@@ -205,7 +205,7 @@ struct Procedure {
                   Origin::choice},
         Parameter{"thinnest_gauge", &S::thinnest_gauge, Range{10.0, 34.0}, "", "of a needle that is usual",
                   Origin::choice},
-        Parameter{"taken_out_ends", &S::taken_out_ends,
+        Parameter{"taken_out_ends", &S::withdrawal_ends,
                   "when a needle that is drawn wholly out ends the attempt: after_goal, always or never",
                   Origin::choice},
         ChildElements{"step", &S::steps, "a stage of it, in order", 50},

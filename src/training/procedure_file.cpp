@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_procedure_file = 1 << 20;  // bytes
 
-// Texts stand in elements; the table of parameters has them as values.
+// Texts are in elements; the table of parameters has them as values.
 SettingsTree procedure_tree(const io::XmlElement& root) {
   SettingsTree tree{.name = root.name, .values = {}, .children = {}, .line = root.line};
   for (const auto& value : root.attributes)

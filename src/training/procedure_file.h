@@ -10,20 +10,20 @@
 namespace bodkin::training {
 
 // Reads a procedure (docs/training.md has the format, share/bodkin/procedure.xsd its schema). `origin` names it in
-// messages. Throws InputError naming file, line, what was found and what was expected: also for a rule about a metric
-// that does not exist, and for an event that no session has.
+// messages. Throws InputError naming file, line, what was found and what was expected; also for a rule about an
+// unknown metric, and for an unknown event.
 Procedure parse_procedure(std::string_view document, const std::string& origin);
 Procedure read_procedure(const std::filesystem::path& file);
 
-// The procedure that `name` means: one that comes with Bodkin (share/bodkin/procedures), or the path of a file.
-// Throws InputError, which lists those that come with Bodkin, when it is neither.
+// The procedure named `name`: one that comes with Bodkin (share/bodkin/procedures), or the path of a file. Otherwise
+// throws InputError, which lists those that come with Bodkin.
 Procedure find_procedure(const std::string& name);
 
-// The same without files. Throws InputError.
+// As above, without files. Throws InputError.
 Procedure find_shipped_procedure(const std::string& name);
 
-// The procedure that a case names, or `needle_insertion`, which holds what all have in common, when it is none of
-// those that come with Bodkin.
+// The procedure named in a case, or, if it does not come with Bodkin, `needle_insertion`, which contains what all
+// have in common.
 Procedure procedure_of_case(const std::string& name);
 
 // Names of the procedures that come with Bodkin, in alphabetical order.

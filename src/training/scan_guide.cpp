@@ -27,12 +27,12 @@ double angle_between(const Vec3& one, const Vec3& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other)) / degree;
 }
 
-std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Attempt& attempt, std::string_view what) {
-  const auto wanted = find_sought(attempt.description(), attempt.path(), what);
+std::optional<double> first_on(const std::vector<ProbeState>& track, const Attempt& attempt, std::string_view what) {
+  const auto wanted = find_scan_target(attempt.description(), attempt.path(), what);
   if (!wanted) return std::nullopt;
   const double start = static_cast<double>(attempt.session().ticks.front().tick) * attempt.dt();
   const auto& machine = attempt.session().header.ultrasound;
-  for (const ProbeMoment& probe : track) {
+  for (const ProbeState& probe : track) {
     if (is_shown(*wanted, probe, machine ? &*machine : nullptr, attempt.thresholds()))
       return std::max(0.0, probe.time - start);
   }
@@ -41,30 +41,30 @@ std::optional<double> first_on(const std::vector<ProbeMoment>& track, const Atte
 
 }  // namespace
 
-std::optional<Sought> find_sought(const anatomy::CaseDescription& description, const anatomy::NeedlePath& path,
-                                  std::string_view what) {
+std::optional<ScanTarget> find_scan_target(const anatomy::CaseDescription& description,
+                                           const anatomy::NeedlePath& path, std::string_view what) {
   if (what == target_name) {
-    Sought found{.point = path.target};
+    ScanTarget found{.point = path.target};
     if (path.length() > 0.0) found.slice_along = path.direction();
     return found;
   }
   if (what.starts_with(process_prefix)) {
     const auto process = spinous_process(description, what.substr(process_prefix.size()));
-    return process ? std::optional(Sought{.point = process->middle, .beam_along = process->into}) : std::nullopt;
+    return process ? std::optional(ScanTarget{.point = process->middle, .beam_along = process->into}) : std::nullopt;
   }
   const auto landmark = find_landmark(description, what);
-  return landmark ? std::optional(Sought{.point = *landmark}) : std::nullopt;
+  return landmark ? std::optional(ScanTarget{.point = *landmark}) : std::nullopt;
 }
 
-bool is_shown(const Sought& sought, const ProbeMoment& probe, const anatomy::UltrasoundProbe* machine,
+bool is_shown(const ScanTarget& target, const ProbeState& probe, const anatomy::UltrasoundProbe* machine,
               const Thresholds& limits) {
-  if (sought.beam_along && angle_between(probe.into, *sought.beam_along) > limits.guide_angle) return false;
-  if (sought.slice_along) {
+  if (target.beam_along && angle_between(probe.into, *target.beam_along) > limits.guide_angle) return false;
+  if (target.slice_along) {
     const double out_of_slice =
-        std::asin(std::clamp(std::abs(sought.slice_along->dot(probe.normal)), 0.0, 1.0)) / degree;
+        std::asin(std::clamp(std::abs(target.slice_along->dot(probe.normal)), 0.0, 1.0)) / degree;
     if (out_of_slice > limits.guide_angle) return false;
   }
-  return is_in_picture(probe, machine, sought.point, limits.target_in_slice);
+  return is_in_picture(probe, machine, target.point, limits.target_in_slice);
 }
 
 std::optional<SpinousProcess> spinous_process(const anatomy::CaseDescription& description,
@@ -87,7 +87,7 @@ std::optional<double> first_shown(const Attempt& attempt, std::string_view what)
 }
 
 bool can_be_shown(const anatomy::CaseDescription& description, std::string_view what) {
-  return find_sought(description, description.procedure.path.value_or(anatomy::NeedlePath()), what).has_value();
+  return find_scan_target(description, description.procedure.path.value_or(anatomy::NeedlePath()), what).has_value();
 }
 
 std::optional<Aim> aim_of(const Attempt& attempt) {
@@ -112,7 +112,7 @@ std::optional<Aim> aim_of(const Attempt& attempt) {
 
 std::vector<GuideStep> guide_steps(const Attempt& attempt) {
   std::vector<GuideStep> steps;
-  const std::vector<ProbeMoment> track = probe_track(attempt.session());
+  const std::vector<ProbeState> track = probe_track(attempt.session());
   const auto aim = aim_of(attempt);
   if (track.empty() || !aim) return steps;
   const double entered = attempt.time[attempt.first_contact()];

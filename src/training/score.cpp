@@ -16,13 +16,13 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr double longest_gap = 0.005;  // s of lost ticks in the body that hide nothing
+constexpr double longest_gap = 0.005;  // s of lost ticks in the body that can hide nothing
 
 bool is_event_of(const session::SessionEvent& each, const std::string& name) {
   return session::event_kind_name(each.event.kind) == name;
 }
 
-// Whether a name is one of those in a text with blanks between.
+// Whether a name is one of those in a blank-separated text.
 bool is_among(std::string_view names, std::string_view name) {
   for (std::size_t at = names.find(name); at != std::string_view::npos; at = names.find(name, at + 1)) {
     const std::size_t end = at + name.size();
@@ -73,18 +73,18 @@ class Scorer {
     } else {
       if (!harm.unchecked.empty()) {
         add(Grade::borderline, "harm",
-            fmt::format("The patient's segmentation is not at hand, so that it could not be seen whether the tip "
+            fmt::format("The patient's segmentation is not available, so it could not be checked whether the tip "
                         "entered {}; name the case with --case.",
                         fmt::join(harm.unchecked, ", ")));
       }
       find_goal();
       add(Grade::pass, "goal", ending_sentence(*attempt_.final_tip, attempt_));
-      tell_loss();
+      report_loss();
       if (attempt_.session().header.ultrasound)
         add(Grade::pass, "structures_scanned", scanned_sentence(measured_.scanned));
       find_level();
       check_needle();
-      tell_thresholds();
+      report_thresholds();
       check_parts();
       rules();
     }
@@ -117,7 +117,7 @@ class Scorer {
     std::optional<std::size_t> first;
     for (std::size_t i = from; i < attempt_.size() && !first; ++i)
       if (attempt_.inside[i] != 0 && attempt_.tissue[i] == *id) first = i;
-    // A tip that jumps through a ligament is not in it at any tick.
+    // A tip that jumps through a ligament is in it at no tick.
     for (const session::SessionEvent& each : attempt_.session().events) {
       if (each.event.kind != forces::EventKind::tissue_entered || each.event.tissue != *id) continue;
       const std::size_t at = attempt_.index_of(each);
@@ -135,7 +135,7 @@ class Scorer {
     return std::nullopt;
   }
 
-  // Each step is looked for after the one before: a needle that only touched the skin was not withdrawn.
+  // Each step is searched after the one before: a needle that only touched the skin was not withdrawn.
   void follow_steps() {
     std::size_t from = 0;
     for (const Step& step : procedure_.steps) {
@@ -148,7 +148,7 @@ class Scorer {
         result.depth = attempt_.depth[*at];
         from = *at;
       }
-      // The other hand's: whenever it was, the needle's steps are none the later.
+      // A step of the other hand: its time does not delay the needle's steps.
       if (!step.shown.empty()) result.time = first_shown(attempt_, step.shown);
       score_.steps.push_back(std::move(result));
     }
@@ -193,7 +193,7 @@ class Scorer {
     add(Grade::fail, "goal", fmt::format("The aim was not reached: the tip must {}.", fmt::join(wanted, ", or ")));
   }
 
-  void tell_loss() {
+  void report_loss() {
     const Puncture* loss = measured_.loss();
     if (loss == nullptr) return;
     Grade grade = Grade::pass;
@@ -218,11 +218,11 @@ class Scorer {
           fmt::format("You entered at {}, expected {}.", spoken_level(score_.level),
                       spoken_level(procedure_.levels)));
     }
-    tell_palpation(*entry);
+    report_palpation(*entry);
   }
 
-  // The interspace that was felt last is the one that was chosen.
-  void tell_palpation(const SkinPlace& entry) {
+  // The interspace palpated last is the chosen one.
+  void report_palpation(const SkinPlace& entry) {
     const std::vector<Vec3> felt = felt_before_entry(attempt_);
     if (felt.empty()) return;
     const auto chosen = skin_place(felt.back(), attempt_.description());
@@ -235,8 +235,8 @@ class Scorer {
     }
   }
 
-  // Said, because the definitions of the metrics state the usual ones.
-  void tell_thresholds() {
+  // Stated, because the definitions of the metrics give the usual ones.
+  void report_thresholds() {
     std::vector<std::string> own;
     for (const auto& [name, value] : own_thresholds(attempt_.thresholds()))
       own.push_back(fmt::format("{} {:.6g}", name, value));
@@ -249,11 +249,11 @@ class Scorer {
     const int gauge = attempt_.description().needle.gauge;
     if (gauge >= procedure_.thickest_gauge && gauge <= procedure_.thinnest_gauge) return;
     add(Grade::pass, "needle",
-        fmt::format("A needle of {}G is unusual here: {}G to {}G is.", gauge, procedure_.thickest_gauge,
+        fmt::format("A needle of {}G is unusual here; {}G to {}G is usual.", gauge, procedure_.thickest_gauge,
                     procedure_.thinnest_gauge));
   }
 
-  // What the procedure asks about and this patient has no place for: said, lest it pass for judged.
+  // Items of the procedure without a place in this patient: stated, lest they seem judged.
   void check_parts() {
     const anatomy::ForceParts& parts = attempt_.session().header.haptics.parts;
     const auto asks = [&](std::initializer_list<std::string_view> metrics) {
@@ -285,8 +285,9 @@ class Scorer {
       }
       const Grade grade = rule.grade_of(result->value);
       result->grade = worse(grade, result->grade.value_or(Grade::pass));
-      const bool told = rule.metric == "loss_overshoot_mm";  // by tell_loss()
-      if (grade != Grade::pass && !told) add(grade, rule.metric, rule_sentence(rule, *result->metric, result->value));
+      const bool reported = rule.metric == "loss_overshoot_mm";  // by report_loss()
+      if (grade != Grade::pass && !reported)
+        add(grade, rule.metric, rule_sentence(rule, *result->metric, result->value));
     }
   }
 

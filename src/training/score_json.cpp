@@ -34,7 +34,7 @@ ordered_json metric_json(const MetricResult& result) {
   return json;
 }
 
-// Those that are not the default.
+// Values other than the default.
 ordered_json thresholds_json(const Thresholds& thresholds) {
   ordered_json json = ordered_json::object();
   for (const auto& [name, value] : own_thresholds(thresholds)) json[std::string(name)] = value;

@@ -11,7 +11,7 @@ namespace bodkin::training {
 namespace {
 
 constexpr double on_target = 0.05;     // mm
-constexpr double warning_way = 5.0;    // mm before the expected depth from where to go slowly
+constexpr double warning_way = 5.0;    // mm before the expected depth from which slow advance is required
 constexpr double careful_speed = 5.0;  // mm/s
 
 std::string times(int count) {

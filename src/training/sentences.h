@@ -6,10 +6,10 @@
 
 namespace bodkin::training {
 
-// What a teacher would say, one sentence or two each, to the person who held the needle.
+// Sentences as a teacher would say them, one or two each, to the person who held the needle.
 
-// What a goal asks for: "came to rest in the cerebrospinal fluid" after "the tip", or with `to_come` "come to rest in
-// ..." after "must".
+// The requirement of a goal: "came to rest in the cerebrospinal fluid" after "the tip", or with `to_come` "come to
+// rest in ..." after "must".
 std::string goal_words(const Goal& goal, const Attempt& attempt, bool to_come);
 
 // "The tip entered the aorta at 12.3 s, 81 mm deep: ..."

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double sample_time = 0.01;   // s
 constexpr double sliding_speed = 5.0;  // mm/s after a tip that was lost
-constexpr double wander_time = 2.0;    // s, after which the hand's drift has forgotten where it was
+constexpr double wander_time = 2.0;    // s, after which the hand's drift has lost memory of its position
 constexpr double beside_entry = 25.0;  // mm from the entry to the middle of the probe's face
 
 }  // namespace
@@ -24,7 +24,7 @@ void hold_probe(session::Session& session, const simulation::OperatorScript& scr
   Random random(mix64(seed) ^ 0x70726F6265ULL);
   const anatomy::NeedlePath& path = session.header.path;
   const Vec3 along = path.direction();
-  // The slice holds the path; its other direction is the patient's long axis where the path does not run along it.
+  // The slice holds the path; its other direction is the patient's long axis, unless the path runs along it.
   const Vec3 upright = std::abs(along.z()) < 0.9 ? Vec3(Vec3::UnitZ()) : Vec3(Vec3::UnitY());
   const Vec3 across = (upright - upright.dot(along) * along).normalized();
   const double turned = script.aim_angle * random.normal();

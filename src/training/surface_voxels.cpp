@@ -75,7 +75,7 @@ SurfaceVoxels<Voxel>::SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const 
 
 template <typename Voxel>
 double SurfaceVoxels<Voxel>::distance_to(const std::vector<Block>& blocks, const Vec3& index) const {
-  // Square of mm to the box from the voxel `low` to the voxel `high`.
+  // mm^2, squared distance to the box from the voxel `low` to the voxel `high`.
   const auto square_to = [&](const Index& low, const Index& high) {
     double square = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -108,8 +108,8 @@ std::optional<NearestVoxel> SurfaceVoxels<Voxel>::nearest_to(Voxel label, const 
   const auto take = [&](std::size_t p, double distance) {
     if (distance < found.distance) found = {distance, p};
   };
-  // Every few points first. A point between them is nearer to the label than they are by no more than the way from
-  // them, which leaves few that could be the nearest.
+  // Every few points first. A point between them is nearer to the label by at most its distance from them, which
+  // leaves few candidates.
   std::vector<double> known;
   for (std::size_t p = 0; p < way.size(); p += coarse_step) {
     known.push_back(distance_at(p));

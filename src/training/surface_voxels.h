@@ -13,7 +13,7 @@
 
 namespace bodkin::training {
 
-// The tip in the body, thinned: at the first of the ticks in each cell of 0.5 mm.
+// The path of the tip in the body, thinned: the first of the ticks in each cell of 0.5 mm.
 struct WayPoint {
   Vec3 tip = Vec3::Zero();  // LPS mm
   std::size_t tick = 0;     // index
@@ -22,19 +22,19 @@ std::vector<WayPoint> way_in_body(const Attempt& attempt);
 
 struct NearestVoxel {
   double distance = 0.0;  // mm to the voxel's box
-  std::size_t point = 0;  // of the way, index
+  std::size_t point = 0;  // of the path, index
 };
 
-// The voxels of some labels that border on another label: nothing of a label is nearer to a point outside it than
-// these are. They lie in blocks, of which those that are too far away are passed over.
+// The voxels of some labels that border on another label: to a point outside a label no other voxel of it is nearer
+// than these. They lie in blocks, of which distant ones are skipped.
 template <typename Voxel>
 class SurfaceVoxels {
  public:
-  static constexpr double farthest = 100.0;  // mm from the way; what is farther away counts as absent
+  static constexpr double farthest = 100.0;  // mm from the path; voxels farther away count as absent
 
   SurfaceVoxels(const anatomy::Volume<Voxel>& volume, const std::set<Voxel>& labels);
 
-  // Of the way and a label's voxels, the pair that is nearest; nothing where none is within `farthest`.
+  // The nearest pair of a path point and a voxel of the label; empty if none is within `farthest`.
   std::optional<NearestVoxel> nearest_to(Voxel label, const std::vector<WayPoint>& way) const;
 
  private:
@@ -54,7 +54,7 @@ class SurfaceVoxels {
 extern template class SurfaceVoxels<std::uint16_t>;
 extern template class SurfaceVoxels<std::uint8_t>;
 
-// Of a patient: what many attempts are measured by, found once.
+// Of a patient: data for scoring many attempts, computed once.
 struct PatientSurfaces {
   SurfaceVoxels<std::uint16_t> structures;
   SurfaceVoxels<std::uint8_t> tissues;

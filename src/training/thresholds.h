@@ -9,29 +9,29 @@
 
 namespace bodkin::training {
 
-// From where on something counts in the metrics of a session. A procedure may state its own; old sessions are then
-// measured with them too.
+// Thresholds of the metrics of a session. A procedure may state its own; old sessions are then measured with them
+// too.
 struct Thresholds {
-  double outside_time = 0.5;     // s
-  double outside_way = 5.0;      // mm
-  double rest_time = 0.5;        // s
-  double rest_speed = 1.0;       // mm/s
-  double same_rest = 1.0;        // mm
-  double stop_speed = 1.0;       // mm/s
-  double retreat = 5.0;          // mm
-  double redirection = 3.0;      // deg
-  double reentry = 1.0;          // mm
-  double action_speed = 5.0;     // mm/s
-  double action_turn = 10.0;     // deg/s
-  double action_time = 0.2;      // s
-  double quick_speed = 50.0;     // mm/s
-  double quick_turn = 50.0;      // deg/s
-  double lift = 0.5;             // mm
-  double twirl = 10.0;           // deg
-  double tip_in_slice = 2.0;     // mm
-  double target_in_slice = 5.0;  // mm
-  double guide_angle = 15.0;     // deg
-  double guide_offset = 10.0;    // mm
+  double outside_time = 0.5;      // s
+  double outside_distance = 5.0;  // mm
+  double rest_time = 0.5;         // s
+  double rest_speed = 1.0;        // mm/s
+  double same_rest = 1.0;         // mm
+  double stop_speed = 1.0;        // mm/s
+  double retreat = 5.0;           // mm
+  double redirection = 3.0;       // deg
+  double reentry = 1.0;           // mm
+  double action_speed = 5.0;      // mm/s
+  double action_turn = 10.0;      // deg/s
+  double action_time = 0.2;       // s
+  double quick_speed = 50.0;      // mm/s
+  double quick_turn = 50.0;       // deg/s
+  double lift = 0.5;              // mm
+  double twirl = 10.0;            // deg
+  double tip_in_slice = 2.0;      // mm
+  double target_in_slice = 5.0;   // mm
+  double guide_angle = 15.0;      // deg
+  double guide_offset = 10.0;     // mm
 
   bool operator==(const Thresholds&) const = default;
 
@@ -40,8 +40,8 @@ struct Thresholds {
     return std::tuple{
         Parameter{"outside_s", &S::outside_time, Range{0.0, 60.0}, "s",
                   "a needle that was outside for longer begins another insertion", Origin::choice},
-        Parameter{"outside_mm", &S::outside_way, Range{0.0, 100.0}, "mm", "the same of one that was farther outside",
-                  Origin::choice},
+        Parameter{"outside_mm", &S::outside_distance, Range{0.0, 100.0}, "mm",
+                  "the same of one that was farther outside", Origin::choice},
         Parameter{"rest_s", &S::rest_time, Range{0.4, 10.0}, "s", "a rest of the tip lasts at least so long",
                   Origin::choice},
         Parameter{"rest_mm_per_s", &S::rest_speed, Range{0.1, 10.0}, "mm/s",
@@ -84,7 +84,7 @@ struct Thresholds {
   }
 };
 
-// Name and value of those that are not the default, in the order of the table.
+// Name and value of those that differ from the default, in the order of the table.
 std::vector<std::pair<std::string_view, double>> own_thresholds(const Thresholds& thresholds);
 
 }  // namespace bodkin::training

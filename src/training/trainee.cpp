@@ -62,7 +62,7 @@ simulation::OperatorScript operator_of_skill(const simulation::OperatorScript& n
     const auto same = std::find_if(novice.phases.begin(), novice.phases.end(),
                                    [&](const OperatorPhase& each) { return each.name == phase.name; });
     if (same == novice.phases.end()) continue;
-    // A phase that moves for one and rests for the other is another habit, not a measure of skill.
+    // A phase that moves for one and rests for the other reflects a different habit, not skill.
     if (same->speed * phase.speed > 0.0) phase.speed = between(same->speed, phase.speed, skill);
     if (same->step > 0.0 && phase.step > 0.0) {
       phase.step = between(same->step, phase.step, skill);

@@ -1,4 +1,4 @@
-// The client that connects again, against our server and against peers that misbehave.
+// The reconnecting client, against our server and against misbehaving peers.
 #include "link/client.h"
 
 #include <atomic>
@@ -59,7 +59,7 @@ TEST(LinkClient, says_why_it_is_not_connected_and_finds_a_server_that_comes_late
   { port = Server(any_port()).port(); }
   const Client client(soon(port), {});
   ASSERT_TRUE(within(10s, [&] { return !client.status().sentence.empty(); }));
-  EXPECT_THAT(client.status().sentence, HasSubstr("nobody answers at 127.0.0.1:"));
+  EXPECT_THAT(client.status().sentence, HasSubstr("no server answers at 127.0.0.1:"));
   ServerSettings settings = any_port();
   settings.port = port;
   const Server later(settings);
@@ -109,7 +109,7 @@ TEST(LinkClient, leaves_a_server_that_speaks_another_protocol_or_says_nothing) {
     });
   };
   const int first = ::accept(listener, nullptr, nullptr);
-  EXPECT_TRUE(tells("has said nothing for 0.1 s")) << told;
+  EXPECT_TRUE(tells("has sent nothing for 0.1 s")) << told;
   const int second = ::accept(listener, nullptr, nullptr);
   const std::string greeting = "220 mail.example.org ESMTP ready, and more words than a header of 58 bytes has\r\n";
   EXPECT_EQ(::send(second, greeting.data(), greeting.size(), MSG_NOSIGNAL), static_cast<ssize_t>(greeting.size()));

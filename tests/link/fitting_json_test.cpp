@@ -1,4 +1,4 @@
-// A score that is longer than a STRING may be arrives as JSON all the same.
+// A score longer than a STRING's limit still arrives as JSON.
 #include "link/fitting_json.h"
 
 #include "link/contents.h"

@@ -12,7 +12,7 @@
 
 namespace bodkin::link {
 
-// An OpenIGTLink client that is not ours: the library connects, reads and packs. Stands for 3D Slicer in tests.
+// An independent OpenIGTLink client: the library connects, reads and packs. Stands for 3D Slicer in tests.
 class LibraryClient {
  public:
   explicit LibraryClient(std::uint16_t port);

@@ -10,7 +10,7 @@
 
 namespace bodkin::link {
 
-// A tracking server that is not ours: the OpenIGTLink library accepts a client and packs the messages. Stands for
+// An independent tracking server: the OpenIGTLink library accepts a client and packs the messages. Stands for
 // PlusServer in tests. It sends the pose of one tool a hundred times a second, as TRANSFORM or in a TDATA of two
 // tools.
 class LibraryServer {
@@ -28,7 +28,7 @@ class LibraryServer {
   void set_matrix(const std::array<float, 12>& rows);
   // Of ReferenceToTracker, the other tool of TDATA.
   void set_reference(const std::array<float, 12>& rows);
-  // Sends nothing from now on, as a tracker does that does not see its tool.
+  // Sends nothing from now on, like a tracker that does not see its tool.
   void hide(bool on) { hidden_ = on; }
   // Ends the connection; the next client is let in.
   void hang_up() { hang_up_ = true; }

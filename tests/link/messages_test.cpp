@@ -1,4 +1,4 @@
-// Every message byte for byte against the OpenIGTLink library, and what is wrong with foreign ones.
+// Every message byte for byte against the OpenIGTLink library, and defects of foreign ones.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -129,7 +129,7 @@ TEST(LinkMessage, an_array_is_the_librarys) {
   const __lsan::ScopedDisabler leaks;  // of the library, and of the array that it cannot free
 #endif
   const std::array<double, 6> numbers = {1.5, -2.25, 1e-7, 4e9, 0.0, -1.0};
-  // The library frees the numbers of an array by another operator than it makes them with: it is left alone.
+  // The library frees the numbers of an array by the wrong operator: it is never freed.
   auto* const array = std::make_unique<igtl::Array<igtlFloat64>>().release();
   const igtl::ArrayBase::IndexType size = {3, 2};
   array->SetSize(size);

@@ -1,4 +1,4 @@
-// Parameters of force models by name, as clients see and set them.
+// Parameters of force models by name, as read and set by clients.
 #include "link/model_parameters.h"
 
 #include "tests/session/slab_case.h"

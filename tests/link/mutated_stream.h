@@ -10,8 +10,8 @@
 
 namespace bodkin::link {
 
-// What a broken or hostile client could send: some messages one after the other, sound ones, cut ones, with other
-// bytes in them, of other versions, with sizes that are lies, and sometimes with a check sum that fits again.
+// Data of a broken or hostile client: successive messages, sound, truncated, with altered bytes, of other versions,
+// with wrong sizes, and sometimes with a corrected checksum.
 inline Bytes mutated_stream(Random& random) {
   const std::array<Message, 5> seeds = {
       {{"STRING", "CMD_1", 0.0, string_content("<Command Name=\"Freeze\" On=\"true\"/>")},

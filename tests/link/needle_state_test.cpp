@@ -1,4 +1,4 @@
-// The newest tick on its way to a screen elsewhere.
+// The newest tick on its way to a remote screen.
 #include "link/needle_state.h"
 
 #include <array>

@@ -22,7 +22,7 @@ inline ServerSettings any_port() {
   return settings;
 }
 
-// Asks again and again until it is so.
+// Polls until the condition holds.
 inline bool within(std::chrono::milliseconds most, const std::function<bool()>& reached) {
   for (const auto end = std::chrono::steady_clock::now() + most; std::chrono::steady_clock::now() < end;) {
     if (reached()) return true;
@@ -31,7 +31,7 @@ inline bool within(std::chrono::milliseconds most, const std::function<bool()>& 
   return reached();
 }
 
-// Bytes that nobody has looked at, straight into the server.
+// Unchecked bytes, straight into the server.
 class RawClient {
  public:
   explicit RawClient(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -48,7 +48,7 @@ class RawClient {
   void send(std::span<const std::uint8_t> bytes) const {
     EXPECT_GE(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL), 0);
   }
-  // As long as the server lets it.
+  // As long as the server permits it.
   bool flood(std::span<const std::uint8_t> bytes, int times) const {
     for (int i = 0; i < times; ++i) {
       if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) return false;

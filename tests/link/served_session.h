@@ -14,7 +14,7 @@
 
 namespace bodkin::link {
 
-// Three layers that a simulated hand goes into.
+// Three layers for a simulated hand.
 inline anatomy::Case served_slabs() {
   using namespace anatomy;
   Case patient = slab_case({{tissue::skin, 2.0}, {tissue::fat, 12.0}, {tissue::muscle, 36.0}});

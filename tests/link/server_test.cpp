@@ -1,4 +1,4 @@
-// The server against clients that are not ours: one built on the OpenIGTLink library, and hostile ones.
+// The server against independent clients: one built on the OpenIGTLink library, and hostile ones.
 #include "link/server.h"
 
 #include <chrono>
@@ -102,7 +102,7 @@ TEST(LinkServer, hostile_clients_are_dropped_with_a_reason_and_others_do_not_not
     return server.counts().dropped == 5;
   })) << notes;
   EXPECT_THAT(notes, HasSubstr("another protocol"));
-  EXPECT_THAT(notes, HasSubstr("did not come"));
+  EXPECT_THAT(notes, HasSubstr("did not arrive"));
   EXPECT_THAT(notes, HasSubstr("2000 bytes"));
   EXPECT_THAT(notes, HasSubstr("more than 200 messages"));
   EXPECT_THAT(notes, HasSubstr("arrived damaged"));
@@ -149,7 +149,7 @@ TEST(LinkServer, what_a_client_sends_and_nobody_takes_costs_bounded_memory_and_t
     return has_command;
   })) << "the others are heard";
   EXPECT_LE(bytes, std::size_t{1 << 20} + 100);
-  EXPECT_THAT(server.take_notes(), ::testing::ElementsAre(HasSubstr("sends more than is taken")));
+  EXPECT_THAT(server.take_notes(), ::testing::ElementsAre(HasSubstr("sends more than is accepted")));
 }
 
 TEST(LinkServer, a_client_that_is_dropped_is_told_why) {
@@ -195,7 +195,7 @@ TEST(LinkServer, a_port_in_use_and_a_foreign_address_are_refused_with_a_sentence
   elsewhere.address = "192.0.2.7";  // set aside for examples
   EXPECT_THAT(sentence(elsewhere), HasSubstr("192.0.2.7"));
   elsewhere.address = "somewhere";
-  EXPECT_THAT(sentence(elsewhere), HasSubstr("no address"));
+  EXPECT_THAT(sentence(elsewhere), HasSubstr("not an address"));
   EXPECT_FALSE(first.is_exposed());
   ServerSettings all = any_port();
   all.address = "0.0.0.0";

@@ -1,4 +1,4 @@
-// A whole session over the network: a station with a simulated hand, and a client that is not ours.
+// A whole session over the network: a station with a simulated hand, and an independent client.
 #include "link/session_feed.h"
 
 #include <algorithm>

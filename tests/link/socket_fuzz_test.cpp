@@ -1,4 +1,4 @@
-// Whole connections of bytes that nobody should send: the server lives on, and a client beside them notices nothing.
+// Whole connections of invalid bytes: the server survives, and a client beside them is not affected.
 #include "link/command.h"
 #include "link/server.h"
 #include "tests/link/library_client.h"
@@ -38,7 +38,7 @@ TEST(SocketFuzz, three_hundred_hostile_connections_leave_a_good_one_alone) {
   EXPECT_TRUE(within(10s, [&] { return server.counts().clients == 1; })) << "the others are gone";
 }
 
-// So many are let in; the next one is shut out, and let in when there is room again.
+// So many are admitted; the next one is rejected, and admitted when there is room again.
 TEST(SocketFuzz, more_clients_than_are_let_in_take_no_place) {
   ServerSettings settings = any_port();
   settings.most_clients = 2;

@@ -1,4 +1,4 @@
-// What a teacher sees of a station, from what a session's server says.
+// A teacher's view of a station, from the messages of a session's server.
 #include "link/station_watch.h"
 
 #include "link/command.h"
@@ -36,7 +36,7 @@ TEST(StationWatch, shows_step_force_and_picture_and_brings_commands_there) {
   server.publish({"NDARRAY", "Force", 0.0, array_content(rows, 6)}, false);
   const std::vector<std::uint8_t> pixels = {1, 2, 3, 4, 5, 6};
   server.publish({"IMAGE", "Image_Reference", 0.0, image_content(pixels, 3, 2, 0.5, Pose::Identity())}, true);
-  // What is not for a teacher, or damaged, changes nothing.
+  // Other or damaged messages change nothing.
   server.publish({"STRING", "State", 0.0, string_content("{not json")}, false);
   server.publish({"NDARRAY", "Force", 0.0, Bytes{11, 2, 0}}, false);
   server.publish({"STRING", "Last", 0.0, string_content("x")}, false);

@@ -51,7 +51,7 @@ std::vector<ContractSubject> contract_subjects() {
            .arrange = arrange,
            .absent_identity = "127.0.0.1:1/NeedleTipToReference",
            .absent_settings = "first_pose_s=0.3",
-           .told_of_absent = {"nobody answers at 127.0.0.1:1", "is the server started?"}}};
+           .absent_message = {"no server answers at 127.0.0.1:1", "has it been started?"}}};
 }
 
 }  // namespace bodkin

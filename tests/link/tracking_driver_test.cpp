@@ -1,4 +1,4 @@
-// A tracked tool as the hand, sent by a server that is not ours.
+// A tracked tool as the hand, sent by an independent server.
 #include "link/tracking_driver.h"
 
 #include <filesystem>
@@ -54,8 +54,8 @@ TEST(TrackingDriver, a_pose_in_the_patient_becomes_the_hand_that_has_the_needle_
   }
 }
 
-// The tracker sees a needle and the mannequin; where the needle is in the mannequin does not depend on where that
-// lies.
+// The tracker sees a needle and the mannequin; the needle's place in the mannequin does not depend on the mannequin's
+// place.
 TEST(TrackingDriver, a_needle_is_taken_to_a_tracked_mannequin_wherever_it_lies) {
   const auto rows_of = [](const Pose& pose) {
     std::array<float, 12> rows{};
@@ -132,7 +132,7 @@ TEST(TrackingDriver, what_is_not_there_or_misspelled_is_told_in_one_sentence) {
   };
   std::uint16_t port = 0;
   { port = Server(any_port()).port(); }
-  EXPECT_THAT(refusal(identity_of(port, "Needle"), "first_pose_s=0.3"), HasSubstr("nobody answers at 127.0.0.1:"));
+  EXPECT_THAT(refusal(identity_of(port, "Needle"), "first_pose_s=0.3"), HasSubstr("no server answers at 127.0.0.1:"));
   const LibraryServer server("ProbeToReference");
   EXPECT_THAT(refusal(identity_of(server.port(), "Needle"), "first_pose_s=0.3"), HasSubstr("sends no Needle: "));
   EXPECT_THAT(refusal("127.0.0.1:0/Needle", ""), HasSubstr("expected HOST or HOST:PORT"));
@@ -202,7 +202,7 @@ TEST(TrackedMotion, passes_between_poses_without_a_jump_and_ends_where_they_are)
   EXPECT_NEAR(last.x(), 700.0, 1e-9);
 }
 
-// The end of the session comes from another thread, when the tool has been where it should.
+// Another thread ends the session, once the tool has reached its place.
 TEST(TrackingDriver, a_tracked_needle_is_pushed_into_the_patient_and_recorded) {
   ScratchFolder folder;
   folder.write("case.xml", "<case/>");

@@ -1,4 +1,4 @@
-// What a session file keeps of a body that moved by itself.
+// A session file's data of a moving body.
 #include "session/body_table.h"
 
 #include <bit>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "session/moved_body.h"
+#include "session/body_displacement.h"
 #include "session/session_file.h"
 #include "tests/session/session_samples.h"
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -44,7 +44,7 @@ void write_body_session(const fs::path& file, bool finish = true) {
   SessionWriter writer(file, header, true);
   for (std::uint64_t number = 1; number <= kept_body_steps; ++number) {
     writer.append(body_step(number));
-    if (number % 2 == 0) writer.append(BodyTaken{number / 2 - 1, 100 * number, number});
+    if (number % 2 == 0) writer.append(AppliedBodyStep{number / 2 - 1, 100 * number, number});
     writer.append(sample_record(number - 1));
     if (number == 7) writer.commit();
   }
@@ -67,9 +67,9 @@ TEST(BodyTable, steps_and_what_the_needle_met_come_back_bit_for_bit) {
                   std::bit_cast<std::uint64_t>(wanted.probe->matrix()(i % 3, i / 3)));
       }
     }
-    ASSERT_EQ(session.body_taken.size(), kept_body_steps / 2);
-    EXPECT_EQ(session.body_taken[4].tick, 1000U);
-    EXPECT_EQ(session.body_taken[4].step, 10U);
+    ASSERT_EQ(session.applied_body_steps.size(), kept_body_steps / 2);
+    EXPECT_EQ(session.applied_body_steps[4].tick, 1000U);
+    EXPECT_EQ(session.applied_body_steps[4].step, 10U);
   }
 }
 
@@ -79,13 +79,13 @@ TEST(BodyTable, a_session_whose_body_did_not_move_by_itself_has_no_such_tables) 
     SessionWriter writer(scratch.path(), sample_header(), true);
     writer.append(sample_record(0));
     writer.append(body_step(1));
-    writer.append(BodyTaken{0, 0, 1});
+    writer.append(AppliedBodyStep{0, 0, 1});
     writer.finish();
   }
   EXPECT_FALSE(SQLite::Database(scratch.path().string()).tableExists("body_steps"));
   const Session session = read_session(scratch.path());
   EXPECT_TRUE(session.body_steps.empty());
-  EXPECT_TRUE(session.body_taken.empty());
+  EXPECT_TRUE(session.applied_body_steps.empty());
 }
 
 TEST(BodyTable, rows_that_no_writer_makes_are_refused) {
@@ -107,7 +107,7 @@ TEST(BodyTable, rows_that_no_writer_makes_are_refused) {
                 HasSubstr("what the needle met of the moving body is damaged"))
         << change;
   }
-  // What a slow disk lost can still be reported, but not recomputed.
+  // A session with parts lost by a slow disk can still be reported, but not replayed.
   EXPECT_EQ(tamper("DELETE FROM body_steps WHERE step=7"), "it was accepted");
   EXPECT_THROW(check_moved_body(read_session(scratch.path())), InputError);
   EXPECT_EQ(tamper("DELETE FROM body_taken WHERE number=7"), "it was accepted");

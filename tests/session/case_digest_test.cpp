@@ -160,7 +160,7 @@ TEST(CaseDigest, the_mesh_counts_where_a_resistance_meets_it) {
   std::filesystem::remove_all(folder);
 }
 
-// Computed by the program of before tissues could have fibres.
+// Computed by the program version before tissues had fibres.
 TEST(CaseDigest, of_a_case_without_fibres_is_that_from_before_there_were_fibres) {
   Case patient = slab_patient();
   EXPECT_EQ(case_digest(patient, "case", "mesh"), "3:f5151b7e4df23e81");

@@ -91,8 +91,8 @@ TEST(Recorder, counts_what_it_could_not_take_and_never_waits) {
   EXPECT_EQ(read_session(scratch.path()).ticks.size() + recorder.lost(), 5000u);
 }
 
-// What a recording process that is about to be killed says of itself, in memory shared with its parent.
-struct Told {
+// Status of a recording process that will be killed, in memory shared with its parent.
+struct ProcessStatus {
   std::atomic<std::uint64_t> pushed{0};
   std::atomic<std::int64_t> written_at{0};     // ns of the steady clock, when the recorder last took a record
   std::atomic<std::int64_t> longest_stall{0};  // ns between two records taken: the disk or the system held it up
@@ -102,56 +102,57 @@ std::int64_t now_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
 }
 
-// A recording process that dies by SIGKILL at a random moment. Whatever it had pushed a second before is on disk; a
-// disk that makes it wait is given that time on top.
+// A recording process that dies by SIGKILL at a random moment. Everything pushed a second before is on disk; waits
+// for the disk are added to that time.
 TEST(Recorder, a_killed_process_loses_at_most_the_last_second) {
-  void* const shared = mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* const shared =
+      mmap(nullptr, sizeof(ProcessStatus), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(shared, MAP_FAILED);
   Random random(static_cast<std::uint64_t>(getpid()));
   for (int trial = 0; trial < 6; ++trial) {
     const ScratchSession scratch;
-    Told* const told = std::construct_at(static_cast<Told*>(shared));
+    ProcessStatus* const status = std::construct_at(static_cast<ProcessStatus*>(shared));
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      told->written_at.store(now_ns());
-      Recorder recorder(SessionWriter(scratch.path(), sample_header(), true), [told](const TickRecord&) {
-        const std::int64_t now = now_ns(), stall = now - told->written_at.exchange(now);
-        told->longest_stall.store(std::max(stall, told->longest_stall.load()));
+      status->written_at.store(now_ns());
+      Recorder recorder(SessionWriter(scratch.path(), sample_header(), true), [status](const TickRecord&) {
+        const std::int64_t now = now_ns(), stall = now - status->written_at.exchange(now);
+        status->longest_stall.store(std::max(stall, status->longest_stall.load()));
       });
       DeadlineClock clock(0.001);
       clock.start();
       for (std::uint64_t tick = 0;; ++tick) {
         clock.wait();
         recorder.push(sample_record(tick));
-        told->pushed.store(tick + 1);
+        status->pushed.store(tick + 1);
       }
     }
-    while (told->pushed.load() < 100) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (status->pushed.load() < 100) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const auto life = std::chrono::milliseconds(static_cast<int>(random.uniform(900.0, 2200.0)));
     std::uint64_t a_second_ago = 0;
     const auto end = std::chrono::steady_clock::now() + life;
     std::vector<std::pair<std::chrono::steady_clock::time_point, std::uint64_t>> history;
     while (std::chrono::steady_clock::now() < end) {
-      history.emplace_back(std::chrono::steady_clock::now(), told->pushed.load());
+      history.emplace_back(std::chrono::steady_clock::now(), status->pushed.load());
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     ASSERT_EQ(kill(child, SIGKILL), 0);
     const auto death = std::chrono::steady_clock::now();
-    const std::int64_t stall = std::max(told->longest_stall.load(), now_ns() - told->written_at.load());
+    const std::int64_t stall = std::max(status->longest_stall.load(), now_ns() - status->written_at.load());
     ASSERT_EQ(waitpid(child, nullptr, 0), child);
     for (const auto& [when, count] : history) {
       if (death - when >= std::chrono::seconds(1) + std::chrono::nanoseconds(stall)) a_second_ago = count;
     }
     const Session session = read_session(scratch.path());
     EXPECT_FALSE(session.finished);
-    EXPECT_GE(session.ticks.size(), a_second_ago) << "of " << told->pushed.load();
+    EXPECT_GE(session.ticks.size(), a_second_ago) << "of " << status->pushed.load();
     for (std::size_t tick = 0; tick < session.ticks.size(); ++tick) {
       ASSERT_EQ(session.ticks[tick].tick, tick);
       ASSERT_EQ(bytes_of(session.ticks[tick]), bytes_of(sample_record(tick)));
     }
   }
-  munmap(shared, sizeof(Told));
+  munmap(shared, sizeof(ProcessStatus));
 }
 
 TEST(DeadlineClock, keeps_the_pace_and_counts_what_is_late) {

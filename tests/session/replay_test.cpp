@@ -238,7 +238,7 @@ TEST_F(Replay, names_the_part_of_the_case_that_is_another_one) {
   EXPECT_THAT(refusal(*patient_), HasSubstr(": its case.xml is not the one of the session"));
 }
 
-// The case may say one thing and the session have used another: the session's own settings are replayed.
+// The session may have used other settings than the case: the session's own are replayed.
 TEST(ReplayOfOtherModels, every_resistance_and_constraint_replays_on_the_case_as_it_is) {
   const Case patient = slab_case({{tissue::skin, 2.0}, {tissue::muscle, 20.0}});
   const ScratchSession file;

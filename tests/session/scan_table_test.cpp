@@ -1,4 +1,4 @@
-// What a session file keeps of its ultrasound machine.
+// A session file's data of its ultrasound machine.
 #include "session/scan_table.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// A session for other programs, and other programs' recordings as a session.
+// Export of sessions to other programs, and import of their recordings.
 #include "session/session_poses.h"
 
 #include "session/session_run.h"

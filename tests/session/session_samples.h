@@ -60,7 +60,7 @@ inline void make_version_4(const std::filesystem::path& file) {
   database.exec("PRAGMA user_version=4");
 }
 
-// Makes of a finished session without ultrasound one of format version 3, which did not know of it.
+// Makes of a finished session without ultrasound one of format version 3, which lacks its tables.
 inline void make_version_3(const std::filesystem::path& file) {
   make_version_4(file);
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);

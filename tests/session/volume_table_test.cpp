@@ -1,4 +1,4 @@
-// What a session keeps of its patient's voxels.
+// A session's data of its patient's voxels.
 #include "session/volume_table.h"
 
 #include "session/session_file.h"

@@ -61,8 +61,8 @@ TEST(AxialNeedle, withdrawn_it_comes_back_to_the_hand_without_a_jump) {
   EXPECT_NEAR(ticks, 400, 3) << "20 mm at 50 mm/s";
 }
 
-// Hands that go and turn as they like, of needles that come into tissue and out of it by chance, ten minutes
-// altogether: in tissue neither the line nor the axis changes; outside, and where it changes, nothing jumps.
+// Hands that move and turn at random, with needles that enter and leave tissue by chance, ten minutes altogether: in
+// tissue neither the line nor the axis changes; outside, and where it changes, nothing jumps.
 TEST(AxialNeedle, keeps_its_line_in_tissue_whatever_the_hand_does) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);

@@ -55,10 +55,11 @@ inline BlockOfTissue block_of_tissue() {
   std::fill(mesh.tissues.begin(), mesh.tissues.end(), tissue::muscle);
   made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, settings.body, path));
   made.whole = std::make_shared<const ContactBody>(made.body);
-  const auto stations = stations_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
-  patient.prepared = {std::make_shared<const CondensedBody>(
-                          made.whole->contact_points(stations, path.direction(), settings.tip_radius)),
-                      path};
+  const auto sites =
+      contact_sites_along(path, path.length() + settings.points_beyond, settings.point_spacing, patient);
+  patient.prepared = {
+      std::make_shared<const CondensedBody>(made.whole->contact_points(sites, path.direction(), settings.tip_radius)),
+      path};
   return made;
 }
 

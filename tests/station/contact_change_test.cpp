@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "session/replay.h"
-#include "station/felt_numbers.h"
+#include "station/adjustable_tick.h"
 #include "tests/station/block_of_tissue.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,28 +53,29 @@ ChangedWithin changed_within(const BlockOfTissue& block) {
   session.header.haptics = block.patient.description.haptics;
   session.header.dt = 0.001;
   HapticTick tick(block.patient);
-  station::FeltNumbers numbers(std::make_shared<const Case>(block.patient), tick);
+  station::AdjustableTick adjustable(std::make_shared<const Case>(block.patient), tick);
   double before = 0.0;
   const auto step = [&](double depth) {
     TickRecord record;
     record.tick = session.ticks.size();
     record.input.needle = on_path(depth);
-    record.output = numbers.step(record.tick, record.input);
+    record.output = adjustable.step(record.tick, record.input);
     for (const Event& event : record.output.events) session.events.push_back({record.tick, event});
     record.output.events.clear();
     session.ticks.push_back(record);
-    if (numbers.taken() > 0) made.jump = std::max(made.jump, std::abs(record.output.resistance - before));
+    if (adjustable.applied_changes() > 0)
+      made.jump = std::max(made.jump, std::abs(record.output.resistance - before));
     before = record.output.resistance;
   };
   for (double depth = -3.0; depth < 20.0; depth += 0.02) step(depth);
-  numbers.order(block.patient.description.haptics, gripping(block.patient, 2.0),
-                [&](NumberChange change) { session.changes.push_back(std::move(change)); });
-  for (int wait = 0; wait < 60000 && numbers.taken() == 0; ++wait) {
+  adjustable.request_change(block.patient.description.haptics, gripping(block.patient, 2.0),
+                            [&](NumberChange change) { session.changes.push_back(std::move(change)); });
+  for (int wait = 0; wait < 60000 && adjustable.applied_changes() == 0; ++wait) {
     step(20.0);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   for (double depth = 20.0; depth < 25.0; depth += 0.01) step(depth);
-  numbers.stop();
+  adjustable.stop();
   made.end = before;
   return made;
 }
@@ -115,11 +116,11 @@ TEST(ContactChange, replays_to_the_bit) {
 TEST(ContactChange, what_the_body_is_prepared_with_is_refused_in_a_sentence) {
   const BlockOfTissue block = block_of_tissue();
   HapticTick tick(block.patient);
-  station::FeltNumbers numbers(std::make_shared<const Case>(block.patient), tick);
+  station::AdjustableTick adjustable(std::make_shared<const Case>(block.patient), tick);
   std::vector<TissueProperties> stiffer = block.patient.library.tissues();
   for (TissueProperties& one : stiffer) one.deformable.young *= 2.0;
   try {
-    numbers.order(block.patient.description.haptics, stiffer, {});
+    adjustable.request_change(block.patient.description.haptics, stiffer, {});
     FAIL() << "the body was prepared with another modulus";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("from the next attempt on"));

@@ -95,7 +95,7 @@ TEST(FollowedPoints, move_with_a_needle_24_mm_beside_the_path) {
     const std::span<const float> moved = followed.displacements();
     return moved.size() == 9 && worst(moved, expected) < 1e-5 * expected.cwiseAbs().maxCoeff();
   }));
-  // Of a body without contact points forces act on nodes about the path alone.
+  // In a body without contact points forces act only on nodes about the path.
   FollowedPoints nodes_alone(rig.elastic, rig.block.body->mesh, path, rig.points, {});
   nodes_alone.display()->set_forces(rig.forces);
   EXPECT_TRUE(holds_within_a_minute([&] { return nodes_alone.display()->snapshot().left_out > 0.0; }));
@@ -132,7 +132,7 @@ TEST(FollowedPoints, can_be_others_while_the_needle_is_in) {
   }));
   followed.update(still, {});
   EXPECT_TRUE(holds_within_a_minute(shows()));
-  // A body whose needle stays near its path goes on with the points that it was made with.
+  // A body whose needle stays near its path keeps its original points.
   FollowedPoints nodes_alone(rig.elastic, rig.block.body->mesh, path, first, {});
   nodes_alone.follow(rig.points, Vec3(24.0, 0.0, 0.0));
   EXPECT_EQ(nodes_alone.displacements().size(), 3U);

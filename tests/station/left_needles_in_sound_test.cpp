@@ -1,4 +1,4 @@
-// Needles that were left in the picture of a probe: they lie where their tissue is.
+// Left needles in an ultrasound image: they move with their tissue.
 #include <cmath>
 
 #include "study/deformation_picture.h"
@@ -14,10 +14,10 @@ using namespace bodkin::station;
 using namespace bodkin::study;
 namespace {
 
-// Beside the path, in the slice of a probe on the skin at z = 5.
+// Next to the path, in the slice of a probe on the skin at z = 5.
 const NeedlePath left_beside{Vec3(0.0, 0.0, 12.0), Vec3(0.0, -24.0, 6.0)};
 
-// Where a needle lies whose tissue moves like this, by the definition.
+// The pose, by definition, of a needle whose tissue moves like this.
 Pose with_tissue(const std::vector<Vec3>& points, const std::vector<float>& moved, double length) {
   std::vector<Vec3> places = points;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -33,16 +33,16 @@ TEST(LeftNeedlesInSound, one_is_dragged_by_the_one_in_the_hand) {
   const std::vector<Vec3> points = body.left.points();
   ScanThread thread(seen.block.sounding, seen.machine(), Needle(), std::move(body), {on_skin(0.0, 5.0), shallow()},
                     200.0);
-  const LivePicture* picture = picture_where(thread, [](const LivePicture& now) { return !now.left.empty(); });
+  const LiveImage* picture = picture_where(thread, [](const LiveImage& now) { return !now.left.empty(); });
   ASSERT_NE(picture, nullptr);
   EXPECT_LT((picture->left[0].translation() - left_beside.target).norm(), 1e-5) << "nothing moves yet";
   Ultrasound machine = seen.machine();
-  const NeedleInSound at_rest{needle_pose(left_beside.target, left_beside.direction()), Needle()};
-  EXPECT_GT(mean_difference(picture->frame, machine.image(picture->order.probe)), 0.5) << "it is in the picture";
+  const NeedleInUltrasound at_rest{needle_pose(left_beside.target, left_beside.direction()), Needle()};
+  EXPECT_GT(mean_difference(picture->frame, machine.image(picture->setup.probe)), 0.5) << "it is in the picture";
 
   const NodeForces forces = forces_on(seen.elastic, seen.block);
   thread.set_needle(forces, straight_in);
-  picture = picture_where(thread, [](const LivePicture& now) { return now.most > 0.0; });
+  picture = picture_where(thread, [](const LiveImage& now) { return now.most > 0.0; });
   ASSERT_NE(picture, nullptr);
   const Pose expected = with_tissue(points, displacements_at(*seen.block.body, forces, points), left_beside.length());
   EXPECT_LT((picture->left[0].translation() - expected.translation()).norm(), 1e-3);
@@ -50,9 +50,9 @@ TEST(LeftNeedlesInSound, one_is_dragged_by_the_one_in_the_hand) {
   EXPECT_GT((expected.translation() - left_beside.target).norm(), 0.3) << "it is dragged";
   ScanDisplacement displacement = picture->grid;
   displacement.moved = picture->moved;
-  const NeedleInSound hand{straight_in, Needle()}, dragged{picture->left[0], Needle()};
-  EXPECT_EQ(machine.image(picture->order.probe, hand, displacement, {&dragged, 1}).pixels, picture->frame.pixels);
-  EXPECT_NE(machine.image(picture->order.probe, hand, displacement, {&at_rest, 1}).pixels, picture->frame.pixels);
+  const NeedleInUltrasound hand{straight_in, Needle()}, dragged{picture->left[0], Needle()};
+  EXPECT_EQ(machine.image(picture->setup.probe, hand, displacement, {&dragged, 1}).pixels, picture->frame.pixels);
+  EXPECT_NE(machine.image(picture->setup.probe, hand, displacement, {&at_rest, 1}).pixels, picture->frame.pixels);
 }
 
 TEST(LeftNeedlesInSound, one_goes_with_a_moving_body_and_with_breath) {
@@ -70,14 +70,14 @@ TEST(LeftNeedlesInSound, one_goes_with_a_moving_body_and_with_breath) {
   thread.set_displacements(nodes);
   thread.set_needle({}, straight_in, 0.5);
   const Vec3 expected = left_beside.target + Vec3(0.5, -2.0, 1.0) + Vec3(0.0, 0.0, -3.0);
-  const LivePicture* const picture = picture_where(thread, [&](const LivePicture& now) {
+  const LiveImage* const picture = picture_where(thread, [&](const LiveImage& now) {
     return !now.left.empty() && (now.left[0].translation() - expected).norm() < 1e-3;
   });
   ASSERT_NE(picture, nullptr);
   EXPECT_LT((needle_axis(picture->left[0]) - left_beside.direction()).norm(), 1e-5);
 }
 
-// Also of a patient without a mesh, where the machine alone knows what the probe presses.
+// Also for a patient without a mesh, where only the simulated ultrasound machine knows what the probe presses.
 TEST(LeftNeedlesInSound, one_goes_down_under_a_pressed_probe) {
   SeenThread seen;
   const NeedlePath shallow_one{Vec3(0.0, -4.0, 10.0), Vec3(0.0, -8.0, -10.0)};
@@ -86,8 +86,7 @@ TEST(LeftNeedlesInSound, one_goes_down_under_a_pressed_probe) {
     body.left = LeftNeedleMotion({shallow_one});
     ScanThread thread(seen.block.sounding, seen.machine(), Needle(), std::move(body),
                       {on_skin(0.0, 0.0, press), shallow()}, 200.0);
-    const LivePicture* const picture =
-        picture_where(thread, [](const LivePicture& now) { return !now.left.empty(); });
+    const LiveImage* const picture = picture_where(thread, [](const LiveImage& now) { return !now.left.empty(); });
     ASSERT_NE(picture, nullptr);
     EXPECT_EQ(picture->grid.columns, 0) << "the machine moves the tissue by itself";
     const double down = shallow_one.target.y() - picture->left[0].translation().y();

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Skin at y = 0, air behind it, a path straight in.
+// Skin at y = 0, air behind it, a path perpendicular to the skin.
 anatomy::Case flat_patient() {
   anatomy::Case patient;
   anatomy::Grid grid;
@@ -37,7 +37,7 @@ class LiveHand : public ::testing::Test {
     scan_.emplace(patient_, choice_,
                   imaging::ProbeOnSkin(imaging::probe_pose({0, 0, 0}, -Vec3::UnitY(), Vec3::UnitZ()), Vec3::UnitY()),
                   std::nullopt, LiveScan::Place{10.0, 20.0, 700, 600, 800.0, 100.0, 200.0});
-    imaging::ScanMoment moment;
+    imaging::ScanState moment;
     moment.frame.width = moment.frame.height = 100;
     moment.frame.pixel = 0.6;
     moment.frame.corner = Vec3(-29.7, 0.3, 0.0);
@@ -71,7 +71,7 @@ class LiveHand : public ::testing::Test {
     event.down = true;
     scan_->take(event);
   }
-  // Pixels of the window.
+  // In pixels of the window.
   Eigen::Vector2d at(double x, double y) const {
     return scan_->screen().to_screen({x, y}) + Eigen::Vector2d(10.0, 20.0);
   }
@@ -94,7 +94,7 @@ class LiveHand : public ::testing::Test {
 
 TEST_F(LiveHand, a_drag_moves_the_probe_with_the_pointer) {
   pointer(at(0.0, 30.0), false);
-  pointer(at(10.0, 30.0), true);  // 10 mm towards the marked side
+  pointer(at(10.0, 30.0), true);  // 10 mm towards the orientation marker
   EXPECT_NEAR((scan_->pose().translation() - Vec3(0, 0, 10)).norm(), 0.0, 0.5);
   pointer(at(10.0, 35.0), true);  // 5 mm across
   EXPECT_NEAR(std::abs(scan_->pose().translation().x()), 5.0, 0.5);
@@ -153,7 +153,7 @@ TEST_F(LiveHand, arrows_turn_the_probe_while_they_are_held) {
 
 TEST_F(LiveHand, letters_slide_the_probe_while_they_are_held) {
   using Key = ScreenKey;
-  hold(Key::j, 0.5);  // to the left of the picture, where the marked side is
+  hold(Key::j, 0.5);  // to the left of the image, where the orientation marker is
   EXPECT_NEAR((scan_->pose().translation() - Vec3(0, 0, 10)).norm(), 0.0, 0.5);
   hold(Key::l, 0.5);
   hold(Key::k, 0.25);
@@ -182,21 +182,21 @@ TEST_F(LiveHand, sliders_are_moved_by_keys) {
   EXPECT_FALSE(scan_->sliders_shown());
 }
 
-// Their rows are 18 pixels high, from (800, 100) on; 200 pixels are -20 to 20 dB.
+// The rows of the sliders are 18 pixels high, from (800, 100) on; 200 pixels are -20 to 20 dB.
 TEST_F(LiveHand, sliders_are_moved_by_the_mouse) {
-  click({850.0, 145.0});  // while they are not shown, this is no slider
+  click({850.0, 145.0});  // the sliders are not shown yet
   EXPECT_EQ(scan_->settings().sliders, (std::array<double, 8>{}));
   key(ScreenKey::t);
   click({850.0, 145.0});
   EXPECT_EQ(scan_->settings().sliders[2], -10.0);
   const Pose before = scan_->pose();
-  pointer({925.0, 220.0}, true);  // the third one is held still, wherever the pointer goes
+  pointer({925.0, 220.0}, true);  // the third slider remains held wherever the pointer moves
   EXPECT_EQ(scan_->settings().sliders[2], 5.0);
   pointer({2000.0, 220.0}, true);
   EXPECT_EQ(scan_->settings().sliders[2], 20.0);
   EXPECT_TRUE(scan_->pose().isApprox(before)) << "the probe went along";
   pointer({900.0, 109.0}, false);
-  pointer({950.0, 109.0}, true);  // pressed elsewhere, it is not held
+  pointer({950.0, 109.0}, true);  // pressed outside it, the slider is not held
   EXPECT_EQ(scan_->settings().sliders[2], 20.0);
   EXPECT_EQ(scan_->settings().sliders[0], 0.0);
   ScreenEvent wheel;
@@ -216,7 +216,7 @@ TEST_F(LiveHand, calipers_and_marks_are_set_where_the_pointer_is) {
   click(at(10.0, 20.0));
   ASSERT_EQ(scan_->screen().calipers().size(), 1U);
   EXPECT_NEAR(scan_->screen().calipers()[0].length(), 20.0, 1e-9);
-  pointer(at(3.0, 9.0), true);  // no motion of the probe while somebody measures
+  pointer(at(3.0, 9.0), true);  // no motion of the probe during a measurement
   EXPECT_EQ(scan_->pose().translation(), Vec3::Zero());
   key(Key::m);
   ASSERT_EQ(scan_->screen().markers().size(), 1U);

@@ -1,4 +1,4 @@
-// A device that is registered to a mannequin: where its tip is on the mannequin, the needle is in the patient.
+// A device registered to a mannequin: the position of its tip on the mannequin is that of the needle in the patient.
 #include "station/mannequin_place.h"
 
 #include <random>
@@ -27,7 +27,7 @@ TEST(MannequinPlace, the_tip_is_in_the_patient_where_it_is_on_the_mannequin) {
     haptics::DeviceCalibration calibration;
     calibration.tip_offset = Vec3(3.0, -120.0, 15.0);
     calibration.tool_axis = Vec3(0.1, -1.0, 0.2).normalized();
-    calibration.mounting = 0.7;  // the registration has it already
+    calibration.mounting = 0.7;  // already included in the registration
     calibration.reach = {Vec3(-50, -20, -40), Vec3(90, 60, 70)};
     haptics::ServoSettings servo;
     haptics::apply(calibration, servo);
@@ -39,7 +39,7 @@ TEST(MannequinPlace, the_tip_is_in_the_patient_where_it_is_on_the_mannequin) {
     const Vec3 axis = place.patient_from_hand.linear() * hand.linear() * *calibration.tool_axis;
     EXPECT_LT((needle.linear().col(2) - axis).norm(), 1e-9);
 
-    // A hub instead: the same hand has the needle's tip its length in front of where the hub is.
+    // A hub instead: for the same hand, the needle's tip lies one needle length in front of the hub.
     haptics::ServoSettings of_hub;
     haptics::apply(calibration, of_hub);
     place_on({place.patient_from_hand, true}, 90.0, of_hub.workspace);

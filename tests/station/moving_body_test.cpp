@@ -1,4 +1,4 @@
-// A body that moves on its own time between two hands: the probe presses it and takes the needle in it along.
+// A body that moves on its own thread between two hands: the probe presses it, and it takes the needle along.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "patient/prepared_body.h"
+#include "session/body_displacement.h"
 #include "session/case_digest.h"
-#include "session/moved_body.h"
 #include "session/replay.h"
 #include "station/hand_session.h"
 #include "station/released_needle.h"
@@ -59,8 +59,8 @@ void arm(HandSession& session) {
   session.servo().tick().command(command);
 }
 
-// A simulated hand that stays where it is until the gate opens. The hands have threads of their own, so without it
-// the load of the machine would decide which of them comes first.
+// A simulated hand that stays at its place until the gate opens. The hands have threads of their own, so without the
+// gate the load of the computer would decide which hand comes first.
 std::atomic<bool> gate_is_open{false};
 
 int exchange_at_the_gate(void* handle, const bodkin_command* command, bodkin_state* state) {
@@ -85,8 +85,8 @@ const bodkin_driver& gated_driver() {
   return driver;
 }
 
-// Whether the probe's force has stayed the same, but for the hand's tremor, for 500 rounds of its hand and 100 steps
-// of the body.
+// Whether the probe's force has stayed the same, except for the hand's tremor, for 500 rounds of its hand and 100
+// steps of the body.
 class Settled {
  public:
   bool look(SecondHand& hand, BodyThread& body) {
@@ -105,7 +105,7 @@ class Settled {
   std::uint64_t rounds_ = 0, steps_ = 0;
 };
 
-// The probe presses 12 mm at x = 5, 35 mm beside the needle, which enters when it has done so.
+// The probe presses 12 mm at x = 5, 35 mm from the needle; then the needle enters.
 Session perform_on(const PressedBlock& block, const std::filesystem::path& file) {
   const auto pressed = std::make_shared<BodyThread>(*block.body, block.settings);
   SessionHeader header = sample_header();
@@ -134,7 +134,7 @@ Session perform_on(const PressedBlock& block, const std::filesystem::path& file)
   arm(session);
   second->arm();
   Settled settled;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(240);  // so long only where it fails
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(240);  // reached only when the test fails
   while (!session.servo().tick().snapshot().device.ended() && std::chrono::steady_clock::now() < end) {
     EXPECT_TRUE(std::isfinite(pressed->snapshot().on_probe.force.norm()));
     if (!gate_is_open && settled.look(*second, *pressed)) gate_is_open = true;
@@ -156,22 +156,22 @@ std::string refusal_of_replay(const Session& session, const PressedBlock& block,
   return "it was replayed";
 }
 
-// To the bit, though the body has moved on a thread of its own; and what is missing or altered is found.
+// To the bit, though the body moved on a thread of its own; missing or altered steps are detected.
 void expect_replay_of_moved_body(const Session& session, const PressedBlock& block) {
   const BodyDescription* const body = block.body.get();
   const ReplayResult same = replay_session(session, block.patient, {}, body);
   EXPECT_FALSE(same.difference) << same.difference->field << " at tick " << same.difference->tick;
   EXPECT_EQ(same.ticks, session.ticks.size());
   EXPECT_EQ(same.body_difference, "");
-  ASSERT_GT(session.body_taken.size(), 10U);
+  ASSERT_GT(session.applied_body_steps.size(), 10U);
 
-  // The first body that the needle takes once it is in as far as it resists most: a change of it is felt.
+  // The first body that the needle takes at or after its greatest resistance: altering that body changes the forces.
   const auto deepest = std::max_element(
       session.ticks.begin(), session.ticks.end(),
       [](const TickRecord& a, const TickRecord& b) { return a.output.resistance < b.output.resistance; });
-  const auto inside = std::find_if(session.body_taken.begin(), session.body_taken.end(),
-                                   [&](const BodyTaken& taken) { return taken.tick >= deepest->tick; });
-  ASSERT_NE(inside, session.body_taken.end());
+  const auto inside = std::find_if(session.applied_body_steps.begin(), session.applied_body_steps.end(),
+                                   [&](const AppliedBodyStep& applied) { return applied.tick >= deepest->tick; });
+  ASSERT_NE(inside, session.applied_body_steps.end());
 
   Session altered = session;
   ASSERT_TRUE(altered.body_steps[inside->step - 1].probe.has_value());
@@ -181,7 +181,7 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
   EXPECT_THAT(pressed_deeper.body_difference, HasSubstr("step " + std::to_string(inside->step)));
 
   altered = session;
-  altered.body_taken[static_cast<std::size_t>(inside - session.body_taken.begin())].tick += 1;
+  altered.applied_body_steps[static_cast<std::size_t>(inside - session.applied_body_steps.begin())].tick += 1;
   EXPECT_TRUE(replay_session(altered, block.patient, {}, body).difference.has_value()) << "met one tick later";
 
   EXPECT_THAT(refusal_of_replay(session, block, nullptr), HasSubstr("no deformable body"));
@@ -193,7 +193,7 @@ void expect_replay_of_moved_body(const Session& session, const PressedBlock& blo
   altered.body_steps.erase(altered.body_steps.begin() + 3);
   EXPECT_THAT(refusal_of_replay(altered, block, body), HasSubstr("not every step was kept"));
   altered.body_steps.clear();
-  altered.body_taken.clear();
+  altered.applied_body_steps.clear();
   EXPECT_THAT(refusal_of_replay(altered, block, body), HasSubstr("not every step was kept"));
 }
 
@@ -212,7 +212,7 @@ TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_
   double greatest = 0.0;
   for (const TickRecord& record : session.ticks) greatest = std::max(greatest, record.output.resistance);
   EXPECT_GT(greatest, 0.05);
-  // The probe, just before the needle came: the hand's spring and the body's own force, found by another way.
+  // The probe, just before the needle came: the hand's spring against the body's force, computed independently.
   const double time = static_cast<double>(entered->tick) * session.header.dt - 0.1;
   const auto sample = std::find_if(session.second.begin(), session.second.end(),
                                    [time](const SecondSample& one) { return one.time >= time; });
@@ -233,7 +233,7 @@ TEST(MovingBody, the_probes_hand_feels_the_bodys_force_and_the_needle_enters_it_
   expect_replay_of_moved_body(session, block);
 }
 
-// The tissue at the needle is moved by `by` mm: all nodes of the block alike.
+// The tissue at the needle is moved by `by` mm: all nodes of the block by the same vector.
 std::vector<float> moved_alike(const PressedBlock& block, const Vec3& by) {
   std::vector<float> moved;
   for (std::size_t node = 0; node < block.body->mesh.nodes.size(); ++node)
@@ -241,8 +241,8 @@ std::vector<float> moved_alike(const PressedBlock& block, const Vec3& by) {
   return moved;
 }
 
-// Tissue that moves aside as a whole drags a needle that is held: what is felt is what the needle feels that is moved
-// the other way in tissue that stands still.
+// Tissue that moves aside as a whole drags a held needle: the force is that on a needle moved the opposite way in
+// tissue at rest.
 TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
   const PressedBlock block = pressed_block();
   HapticTick moved(block.patient), aside(block.patient);
@@ -269,7 +269,7 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
   EXPECT_GT(expected.x(), 0.01);
   EXPECT_NEAR(found.x(), expected.x(), 0.02 * expected.x());
   EXPECT_LT(largest, 0.1 * expected.x() + 0.005) << "it goes there gradually";
-  // Back to rest, once the body has failed. The tissue that has let go meanwhile stays where it is then.
+  // Back to rest, as when the body has failed. Tissue that has begun to slide stays at its new place.
   motion->write({});
   Vec3 back = Vec3::Zero();
   for (int tick = 0; tick < 400; ++tick) {
@@ -279,7 +279,7 @@ TEST(MovingBody, tissue_that_moves_aside_takes_the_needle_along) {
   EXPECT_NEAR(found.x(), back.x(), 0.05 * expected.x());
 }
 
-// Nobody holds it: it goes with the tissue, and neither the tissue pulls at it nor it at the tissue.
+// A released needle moves with the tissue; no force acts between them.
 TEST(MovingBody, a_needle_that_was_let_go_goes_with_the_tissue) {
   const PressedBlock block = pressed_block();
   HapticTick tick(block.patient);
@@ -298,21 +298,21 @@ TEST(MovingBody, a_needle_that_was_let_go_goes_with_the_tissue) {
   for (int i = 0; i < 400; ++i) {
     force = tick.step({needle}).requested.force;
     needle.translation() += released.step(true, needle, tick.body()->tissue_motion()).by;
-    // The body jumps here, by 0.1 mm in the first tick, which the needle follows in the next.
+    // The body jumps by 0.1 mm in the first tick; the needle follows in the next.
     ASSERT_LT((force - before.requested.force).norm(), 0.1) << i;
   }
   EXPECT_LT((force - before.requested.force).norm(), 0.01);
   EXPECT_LT((needle.translation() - held.translation() - by).norm(), 1e-4);
   EXPECT_LT((tick.body()->tissue_motion().translation() - by).norm(), 1e-4);
   EXPECT_LT((tick.body()->tissue_motion().linear() - Mat3::Identity()).norm(), 1e-6);
-  // A hand that takes it holds it where it is.
+  // A hand that takes it holds it in its present place.
   Pose elsewhere = Pose::Identity();
   elsewhere.translation() = Vec3(9.0, 9.0, 9.0);
   EXPECT_EQ(released.step(false, needle, elsewhere).by, Vec3::Zero());
   EXPECT_LT(released.step(true, needle, elsewhere).by.norm(), 1e-12);
 }
 
-// Pressed deeper by 3 mm, the skin is met 3 mm deeper, and every layer gives way 3 mm deeper.
+// When the tissue is pressed down by 3 mm, skin contact and every puncture come 3 mm deeper.
 TEST(MovingBody, a_surface_that_is_pressed_deeper_is_met_deeper) {
   const PressedBlock block = pressed_block();
   HapticTick pressed(block.patient), rest(block.patient);
@@ -330,7 +330,7 @@ TEST(MovingBody, a_surface_that_is_pressed_deeper_is_met_deeper) {
   }
   EXPECT_EQ(told, 1);
   EXPECT_GT(greatest, 0.1);
-  int apart = 0;  // but for single ticks in which something gives way, or is met
+  int apart = 0;  // except in single ticks with a puncture or a contact
   for (std::size_t i = 0; i < found.size(); ++i) apart += std::abs(found[i] - expected[i]) > 0.05 * greatest ? 1 : 0;
   EXPECT_LE(apart, 8);
 }
@@ -354,11 +354,11 @@ TEST(MovingBody, when_the_body_fails_the_needle_is_told_so_and_meets_it_at_rest)
   pressed->move_probe(probe);
   ASSERT_TRUE(comes_true([&] { return pressed->reading().nodes > 0; }));
   EXPECT_FALSE(pressed->failed());
-  probe.translation().y() = -5e4;  // 50 m, what no hand does
+  probe.translation().y() = -5e4;  // 50 m: beyond any hand
   pressed->move_probe(probe);
   ASSERT_TRUE(comes_true([&] { return pressed->failed(); }));
 
-  // A needle whose body has failed is told so, once, and goes on.
+  // A failed body is reported to the needle once; the needle continues.
   const ScratchSession scratch;
   SessionHeader header = sample_header();
   header.path = *block.patient.description.procedure.path;

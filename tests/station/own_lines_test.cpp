@@ -1,4 +1,4 @@
-// A needle enters where no points of the deformable body were prepared.
+// A needle enters where no points of the deformable body were prepared in advance.
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -30,7 +30,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A straight way in and out again at 50 mm/s; `depth`: mm.
+// A straight motion in and out again at 50 mm/s; `depth`: mm.
 struct Insertion {
   Vec3 entry, direction;
   double depth = 25.0;
@@ -38,14 +38,14 @@ struct Insertion {
 
 const Vec3 aslant = Vec3(0.3, 0.0, 1.0).normalized();
 
-// Two where nothing is prepared, the second aslant through the first one's hole.
+// Two insertions at unprepared places, the second obliquely through the hole of the first.
 const std::vector<Insertion> through_one_hole = {{Vec3(40.0, 30.0, 0.0), Vec3::UnitZ()},
                                                  {Vec3(40.2, 30.0, 0.0), aslant}};
 
 enum class Points {
   never,     // nothing computes them
   any_time,  // the loop is much faster than the clock
-  in_time    // the hand waits outside for them
+  in_time    // the hand waits for them outside
 };
 
 Session session_on_own_lines(const BlockOfTissue& block, Points points, const std::vector<Insertion>& insertions) {
@@ -97,7 +97,7 @@ TEST(OwnLines, a_needle_enters_where_nothing_was_prepared) {
   EXPECT_EQ(values_of(session, EventKind::line_taken), std::vector<double>{BodyPort::own_line});
   EXPECT_TRUE(values_of(session, EventKind::points_late).empty());
   EXPECT_TRUE(values_of(session, EventKind::points_passed).empty());
-  EXPECT_EQ(punctures_of(session, tissue::skin), 1);  // the second finds the hole
+  EXPECT_EQ(punctures_of(session, tissue::skin), 1);  // the second insertion finds the hole
   double greatest = 0.0;
   for (const TickRecord& record : session.ticks) greatest = std::max(greatest, record.output.resistance);
   EXPECT_GT(greatest, 1.4);
@@ -112,7 +112,7 @@ TEST(OwnLines, a_session_whose_points_come_at_any_time_replays_to_the_bit) {
   EXPECT_THROW(replay_session(session, block.patient), InputError);  // without the body
 }
 
-// What a needle that was left does is there in live and in the replay, and is to be felt.
+// A left needle acts both live and in the replay, and its effect is noticeable.
 TEST(OwnLines, beside_a_needle_that_was_left_replay_to_the_bit) {
   BlockOfTissue block = block_of_tissue();
   const std::vector<Insertion> one = {{Vec3(40.0, 30.0, 0.0), Vec3::UnitZ()}};
@@ -146,7 +146,7 @@ TEST(OwnLines, share_their_holes_with_prepared_lines) {
   EXPECT_EQ(skins_of({beside, prepared, beside}), 2);
 }
 
-// The surface is felt at once, with the compliance that it has where the path was planned.
+// The surface is felt at once, with the compliance that it has on the planned path.
 TEST(OwnLines, are_felt_before_their_points_are_there) {
   const BlockOfTissue block = block_of_tissue();
   const Session session = session_on_own_lines(

@@ -19,7 +19,7 @@ namespace {
 constexpr double area = 176.71459;  // mm^2, of 15 mm bore
 const Vec3 start(12.0, -7.0, 30.0);
 
-// A hand that was armed at `start` and goes `down` mm in `time` s.
+// A hand that is armed at `start` and moves down by `down` mm in `time` s.
 class PlungerTest : public ::testing::Test {
  protected:
   PlungerTest() { plunger_.step(start, tissue::air, false); }

@@ -20,8 +20,8 @@ struct PressedBlock {
   BodySolverSettings settings;
 };
 
-// A block of muscle, 120 x 50 x 80 mm below the plane y = 0, held at its bottom; the planned path goes down at
-// x = -30, a probe with a face of 35 x 35 mm is at hand.
+// A block of muscle, 120 x 50 x 80 mm below the plane y = 0, fixed at its bottom; the planned path goes down at
+// x = -30; there is a probe with a face of 35 x 35 mm.
 inline PressedBlock pressed_block() {
   PressedBlock made;
   Case& patient = made.patient;
@@ -49,10 +49,10 @@ inline PressedBlock pressed_block() {
   const NeedlePath& path = *patient.description.procedure.path;
   made.body = std::make_shared<const BodyDescription>(describe_body(mesh, patient, needle.body, path));
   made.whole = std::make_shared<const ContactBody>(made.body);
-  const auto stations = stations_along(path, path.length() + 10.0, needle.point_spacing, patient);
-  patient.prepared = {std::make_shared<const CondensedBody>(
-                          made.whole->contact_points(stations, path.direction(), needle.tip_radius)),
-                      path};
+  const auto sites = contact_sites_along(path, path.length() + 10.0, needle.point_spacing, patient);
+  patient.prepared = {
+      std::make_shared<const CondensedBody>(made.whole->contact_points(sites, path.direction(), needle.tip_radius)),
+      path};
   made.settings.probe.width = made.settings.probe.thickness = 35.0;
   return made;
 }

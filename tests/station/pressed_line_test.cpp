@@ -1,4 +1,4 @@
-// A needle that enters beside a pressed probe: the nodes that the probe holds are in the needle's equations.
+// A needle enters next to a pressed probe: its equations include the nodes held by the probe.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -36,8 +36,8 @@ BodyField resting_probe(const PressedBlock& block) {
   return pressed;
 }
 
-// The points of its line are those of a body whose pressed nodes are held, on the planned line too: as stiff as a
-// dense solution says (BoundPoints), so stiffer than without the probe.
+// The points of the needle's line, even on the planned line, are those of a body whose pressed nodes are held: as
+// stiff as a dense solution says (BoundPoints), and so stiffer than without the probe.
 TEST(PressedLine, a_needle_beside_a_pressed_probe_is_coupled_with_the_nodes_that_it_holds) {
   const PressedBlock block = pressed_block();
   const BodyField pressed = resting_probe(block);
@@ -60,30 +60,30 @@ TEST(PressedLine, a_needle_beside_a_pressed_probe_is_coupled_with_the_nodes_that
     expected.push_back(alone.step({straight_down(-30.0, depth)}).resistance);
   }
   EXPECT_TRUE(own) << "the planned line was prepared without the probe";
-  EXPECT_EQ(tick.body()->motion_taken(), 40U);
+  EXPECT_EQ(tick.body()->applied_motion_step(), 40U);
   const auto& settings = std::get<EmbeddedNeedleSettings>(block.patient.description.haptics.resistance);
-  // Where the voxels have the skin, exactly on the needle's line.
+  // Where the needle's line meets the skin of the voxels.
   const Vec3 entry = line->body().nodes[0];
   EXPECT_LT((entry - Vec3(-30.0, 0.0, 0.0)).norm(), 1e-3);
   const NeedlePath path{entry, entry - 30.0 * Vec3::UnitY()};
-  const auto stations = stations_along(path, 30.0, settings.point_spacing, block.patient);
+  const auto sites = contact_sites_along(path, 30.0, settings.point_spacing, block.patient);
   const CondensedBody bound =
-      block.whole->contact_points(stations, path.direction(), settings.tip_radius, 1, block.whole->bind({}, held));
+      block.whole->contact_points(sites, path.direction(), settings.tip_radius, 1, block.whole->bind({}, held));
   ASSERT_GE(line->progress().points, 3U);
   for (Eigen::Index i = 0; i < 9; ++i)
     for (Eigen::Index j = 0; j < 9; ++j)
       EXPECT_NEAR(line->body().compliance(i, j), bound.compliance(i, j), 1e-6 * bound.compliance(4, 4));
-  const CondensedBody unbound = block.whole->contact_points(stations, path.direction(), settings.tip_radius);
+  const CondensedBody unbound = block.whole->contact_points(sites, path.direction(), settings.tip_radius);
   EXPECT_GT(unbound.compliance(1, 1), 1.01 * bound.compliance(1, 1)) << "along the needle, at the skin";
   ASSERT_GT(expected.back(), 0.01);
   EXPECT_NEAR(found.back() / expected.back(), block.patient.prepared.body->compliance(1, 1) / bound.compliance(1, 1),
               0.001);
 }
 
-// What a needle does to the probe, tick by tick.
+// The needle's effect on the probe, tick by tick.
 struct PushesOnProbe {
   std::vector<double> numbers;             // force and torque
-  std::vector<std::pair<int, double>> at;  // ticks in which points were taken, and the event's value
+  std::vector<std::pair<int, double>> at;  // ticks in which points were taken, with the event's value
   double greatest = 0.0;                   // N
 };
 
@@ -99,12 +99,12 @@ PushesOnProbe push_beside_probe(const PressedBlock& block, const PushesOnProbe* 
   const auto step = [&](int number, double depth, double aside) {
     if (recorded != nullptr)
       for (const auto& [at, value] : recorded->at)
-        if (at == number) tick.body()->take_points(value);
+        if (at == number) tick.body()->set_recorded_points(value);
     Pose needle = straight_down(-30.0, depth);
     needle.translation().x() += aside;
     for (const Event& event : tick.step({needle}).events)
       if (event.kind == EventKind::points_taken) found.at.emplace_back(number, event.value);
-    if (recorded == nullptr && depth < 0.0 && number < 300) line->wait_for(3);  // the others come when they come
+    if (recorded == nullptr && depth < 0.0 && number < 300) line->wait_for(3);  // the others arrive at any time
     const Wrench on_held = tick.body()->on_held();
     found.greatest = std::max(found.greatest, on_held.force.norm());
     for (const Vec3& part : {on_held.force, on_held.torque})
@@ -117,8 +117,8 @@ PushesOnProbe push_beside_probe(const PressedBlock& block, const PushesOnProbe* 
   return found;
 }
 
-// The probe feels the needle, which is pushed in and then towards it, only as long as it is in, and in a replay with
-// the same bits.
+// The probe feels the needle, which is pushed in and then towards it, only while it is inserted; a replay gives the
+// same bits.
 TEST(PressedLine, a_probe_feels_the_needle_and_replays_to_the_bit) {
   const PressedBlock block = pressed_block();
   const PushesOnProbe first = push_beside_probe(block, nullptr), again = push_beside_probe(block, &first);
@@ -132,12 +132,12 @@ TEST(PressedLine, a_probe_feels_the_needle_and_replays_to_the_bit) {
   }
 }
 
-// A probe that comes down while the needle is in, and is lifted again.
+// A probe that comes down while the needle is inserted, and is lifted again.
 struct LateProbe {
   std::vector<double> numbers;                       // forces on hand and probe
-  std::vector<std::pair<int, Event>> events;         // by tick, of points
+  std::vector<std::pair<int, Event>> events;         // of points, by tick
   std::vector<double> held_at;                       // nodes, of each coupling
-  double before = 0.0, pressed = 0.0, lifted = 0.0;  // N on the probe, the needle held aside
+  double before = 0.0, pressed = 0.0, lifted = 0.0;  // N on the probe, needle held to one side
 };
 
 LateProbe press_while_the_needle_is_in(const PressedBlock& block, const LateProbe* recorded) {
@@ -161,9 +161,9 @@ LateProbe press_while_the_needle_is_in(const PressedBlock& block, const LateProb
       for (const auto& [at, event] : recorded->events) {
         if (at != number) continue;
         if (event.kind == EventKind::points_taken)
-          tick.body()->take_points(event.value);
+          tick.body()->set_recorded_points(event.value);
         else
-          tick.body()->take_coupling();
+          tick.body()->set_recorded_coupling();
       }
     }
     Pose needle = straight_down(-30.0, depth);
@@ -179,7 +179,7 @@ LateProbe press_while_the_needle_is_in(const PressedBlock& block, const LateProb
       found.numbers.insert(found.numbers.end(), {part.x(), part.y(), part.z()});
     return on_held.force.norm();
   };
-  // The probe of the field, long at rest; the tick asks in this step, and the points come before the next.
+  // The field has a probe long at rest; the tick requests points in this step, and they arrive before the next.
   const auto probe_comes_to_rest_on = [&](std::size_t held) {
     field.held_count = held;
     field.held_since = field.step + 1;
@@ -214,7 +214,7 @@ TEST(PressedLine, a_needle_in_the_body_is_coupled_with_a_probe_that_comes_later)
   for (std::size_t i = 0; i < first.events.size(); ++i) EXPECT_EQ(first.events[i].first, again.events[i].first) << i;
 }
 
-// While a probe moves it takes and releases nodes in every step; a line is asked for again when it rests, as long as
+// A moving probe takes and releases nodes in every step; a line is requested again when the probe rests, as long as
 // the needle is outside.
 TEST(PressedLine, a_line_is_asked_for_again_when_the_probe_has_come_to_rest_on_other_nodes) {
   const PressedBlock block = pressed_block();
@@ -233,7 +233,7 @@ TEST(PressedLine, a_line_is_asked_for_again_when_the_probe_has_come_to_rest_on_o
     for (int i = 0; i < 20; ++i) tick.step({straight_down(-30.0, -10.0)});
   };
   look(1, 0, 0);
-  look(5, 3, 5);  // on the planned line, which was the first to be asked for
+  look(5, 3, 5);  // on the planned line, which was requested first
   std::optional<ContactLine::Line> asked = line->next_line();
   ASSERT_TRUE(asked.has_value());
   EXPECT_EQ(asked->number, 2U);

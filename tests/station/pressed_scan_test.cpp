@@ -1,5 +1,5 @@
-// A probe in somebody's hand presses a patient, picture after picture: against the body's own solver, and what the
-// pictures show of it.
+// A hand-held probe presses a patient, image after image: compared with the body's own solver, and what the images
+// show of it.
 #include "station/pressed_scan.h"
 
 #include <algorithm>
@@ -23,9 +23,9 @@ using namespace bodkin::io;
 using namespace bodkin::station;
 namespace {
 
-constexpr double plate_depth = 20.0;  // mm, of a thin plate that the CT alone shows
+constexpr double plate_depth = 20.0;  // mm, of a thin plate visible only in the CT
 
-// A block of muscle, 120 x 50 x 80 mm below the plane y = 0, held where it ends, with its mesh in a folder.
+// A block of muscle, 120 x 50 x 80 mm below the plane y = 0, fixed where it ends, with its mesh in a folder.
 class PressedScanTest : public testing::Test {
  protected:
   PressedScanTest() {
@@ -53,7 +53,7 @@ class PressedScanTest : public testing::Test {
     choice_.settings.depth = 40.0;
   }
 
-  // Its face looks down and has gone in so far.
+  // The face looks down and is pressed in by `depth` mm.
   static Pose probe_at(double depth) {
     Pose tool = Pose::Identity();
     tool.linear().col(0) = Vec3::UnitX();
@@ -62,7 +62,7 @@ class PressedScanTest : public testing::Test {
     tool.translation() = Vec3(0.0, -depth, 0.0);
     return probe_in_hand(tool);
   }
-  // mm from the face at which the plate is brightest.
+  // mm from the probe's face to the brightest part of the plate.
   static double plate_in(const imaging::ImageRgb& ct, double pixel) {
     double sum = 0.0, weight = 0.0;
     for (int y = 0; y < ct.height; ++y) {
@@ -92,7 +92,7 @@ TEST_F(PressedScanTest, the_body_moves_as_its_own_solver_has_it) {
   DeformableBodySolver solver(body, motion);
   const Pose goal = probe_at(6.0);
   Pose tool = tool_of_probe(goal);
-  tool.translation().y() += 40.0;  // it comes from there at 300 mm/s
+  tool.translation().y() += 40.0;  // it starts there, at 300 mm/s
   for (int step = 0; step < 120; ++step) {
     scan.advance(goal, 1.0 / 60.0 + 1e-12);
     tool.translation().y() = std::max(-6.0, tool.translation().y() - 5.0);
@@ -101,7 +101,7 @@ TEST_F(PressedScanTest, the_body_moves_as_its_own_solver_has_it) {
   const double force = -solver.press().on_probe(solver.body()).force.dot(tool.linear().col(2));
   EXPECT_GT(force, 0.5);
   EXPECT_NEAR(scan.force(), force, 1e-6 * force);
-  // The skin under the face is where the face is; what the picture shows lies up to 2 mm below, in elements of 10 mm.
+  // The skin moves as far as the face; the image begins up to 2 mm below it, in elements of 10 mm.
   scan.image(goal, {});
   EXPECT_GT(scan.most_moved(), 6.0 * 0.8);
   EXPECT_LE(scan.most_moved(), 6.0 + 1e-3);
@@ -118,7 +118,7 @@ TEST_F(PressedScanTest, the_ct_in_its_plane_moves_with_the_tissue_and_comes_back
   const double deformed = plate_in(pressed.slice(probe, pixel), pixel),
                at_rest = plate_in(rigid.slice(probe, pixel), pixel);
   EXPECT_NEAR(at_rest, plate_depth - 8.0, 1.0) << "the face has come nearer to what stays where it is";
-  // Held 50 mm deep, the plate gives way by a part of the 8 mm.
+  // Because the block is fixed at 50 mm depth, the plate yields by a part of the 8 mm.
   EXPECT_GT(deformed, at_rest + 1.5);
   EXPECT_LT(deformed, plate_depth + 0.5);
   for (int step = 0; step < 180; ++step) pressed.advance(std::nullopt, 1.0 / 60.0);
@@ -127,7 +127,7 @@ TEST_F(PressedScanTest, the_ct_in_its_plane_moves_with_the_tissue_and_comes_back
   EXPECT_LT(pressed.most_moved(), 0.2);
 }
 
-// Slices in other planes follow the same body: across the probe's plane the plate lies as deep as in it.
+// Slices in other planes show the same body: across the probe's plane the plate is as deep as in it.
 TEST_F(PressedScanTest, the_tissue_has_moved_alike_in_every_plane_and_comes_back) {
   PressedScan scan(patient_, folder_.path(), choice_, {});
   EXPECT_EQ(scan.moved_tissue(), nullptr);
@@ -142,7 +142,7 @@ TEST_F(PressedScanTest, the_tissue_has_moved_alike_in_every_plane_and_comes_back
   const double in_other = plate_in(
       imaging::paint(imaging::cut_moved(across, patient_.ct, patient_.tissues, *moved), patient_.library), pixel);
   EXPECT_NEAR(in_other, in_plane, 0.3);
-  // At the skin it has moved as far as the face, far away not at all.
+  // At the skin the tissue has moved as far as the face, far away not at all.
   EXPECT_NEAR(moved->of(Vec3(0.0, -0.5, 0.0)).y(), -8.0, 1.0);
   EXPECT_LT(moved->of(Vec3(-58.0, -48.0, 0.0)).norm(), 0.3);
   for (int step = 0; step < 180; ++step) scan.advance(std::nullopt, 1.0 / 60.0);
@@ -158,7 +158,7 @@ TEST_F(PressedScanTest, a_long_pause_is_not_made_up_for_and_no_probe_is_no_fault
   EXPECT_TRUE(scan.deforms());
 }
 
-// The body that moves has no fibres: the picture goes on without it, and says why.
+// The moving body has no fibres: the image is computed without it, and the reason is given.
 TEST_F(PressedScanTest, a_tissue_with_fibres_is_pressed_layer_by_layer) {
   std::vector<TissueProperties> tissues = patient_.library.tissues();
   for (TissueProperties& one : tissues)

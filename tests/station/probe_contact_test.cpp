@@ -14,7 +14,7 @@ using namespace bodkin::anatomy;
 using namespace bodkin::station;
 namespace {
 
-// The skin is the plane z = 0: the last air voxel has its middle at -0.5 mm, the first of the skin at +0.5.
+// The skin is the plane z = 0: the last air voxel is centred at -0.5 mm, the first skin voxel at +0.5.
 class ProbeContactTest : public ::testing::Test {
  protected:
   Case patient_ = slab_patient();

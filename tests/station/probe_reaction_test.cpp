@@ -1,4 +1,4 @@
-// A hand on a body of known stiffness that moves only now and then.
+// A hand on a body of known stiffness that is updated only now and then.
 #include "station/probe_reaction.h"
 
 #include <algorithm>
@@ -17,33 +17,33 @@ namespace {
 
 constexpr double tick = 0.001;  // s
 
-// A spring of `stiffness` N/mm below the plane z = 0, which looks at the probe every `pace` s and tells what it found
-// `pace` s later, as a body that is busy does. The probe comes from above.
+// A spring of `stiffness` N/mm below the plane z = 0, which reads the probe every `pace` s and reports its result
+// `pace` s later, as a busy solver does. The probe comes from above.
 class SlowSpring {
  public:
   SlowSpring(double stiffness, double pace) : stiffness_(stiffness), ticks_(static_cast<int>(pace / tick)) {}
 
   const ProbeReading& look(const Pose& probe) {
-    if (++waited_ < ticks_) return told_;
+    if (++waited_ < ticks_) return reported_;
     waited_ = 0;
-    told_ = next_;
-    told_.steps = ++steps_;
+    reported_ = next_;
+    reported_.steps = ++steps_;
     const double deep = -probe.translation().z();
     next_.probe = probe.translation();
     next_.nodes = deep > 0.0 ? 4 : 0;
     next_.on_probe.force = Vec3(-0.2 * stiffness_ * probe.translation().x(), 0.0, stiffness_ * std::max(0.0, deep));
     next_.by_needle.force = Vec3(0.0, 0.0, deep > 0.0 ? needle : 0.0);
     next_.on_probe.force += next_.by_needle.force;
-    return told_;
+    return reported_;
   }
 
-  double needle = 0.0;  // N, by which a needle pushes the probe out
+  double needle = 0.0;  // N, the needle's force that pushes the probe out
 
  private:
   double stiffness_;
   int ticks_, waited_ = 0;
   std::uint64_t steps_ = 0;
-  ProbeReading told_, next_;
+  ProbeReading reported_, next_;
 };
 
 Pose probe_at(double x, double z) {
@@ -73,8 +73,8 @@ TEST(ProbeReaction, at_rest_the_hand_feels_the_bodys_own_force_through_a_spring_
   }
 }
 
-// A needle that another hand pushes against the tissue under the probe is felt, and no sudden push of it is taken for
-// a firm body, on which the probe would hardly move any more.
+// The push of another hand's needle against the tissue under the probe is felt; a sudden push is not mistaken for a
+// firm body, on which the probe would hardly move any more.
 TEST(ProbeReaction, a_needles_push_is_felt_and_the_probe_goes_on_as_before) {
   for (const double stiffness : {0.5, 5.0}) {
     ProbeReaction reaction(tick, 1.0), without(tick, 1.0);
@@ -91,15 +91,15 @@ TEST(ProbeReaction, a_needles_push_is_felt_and_the_probe_goes_on_as_before) {
     }
     body.needle = 0.8;
     for (int i = 0; i < 400; ++i) step(-6.0, i);
-    // F = f: the spring of 1 N/mm and the body share the way, and the needle pushes on top.
+    // F = f: the spring of 1 N/mm and the body share the displacement, and the needle's push is added.
     const double felt = (6.0 * stiffness + 0.8) / (stiffness + 1.0);
     EXPECT_NEAR(reaction.force(), felt, 0.05 * felt + 0.06) << stiffness;
     EXPECT_GT(reaction.force(), without.force() + 0.1);
   }
 }
 
-// However stiff the body and however late it is, it gives no energy: a hand that meets it comes to rest, but for less
-// than its own tremor.
+// However stiff and late the body is, it gives out no energy: a hand that meets it comes to rest, apart from its own
+// tremor.
 TEST(ProbeReaction, a_hand_comes_to_rest_on_soft_and_firm_bodies_that_are_late) {
   for (const double stiffness : {0.05, 0.5, 5.0, 50.0}) {
     for (const double pace : {1.0 / 60.0, 0.05, 0.25}) {  // s

@@ -1,4 +1,4 @@
-// The hand of a session, under driver_contract.cpp.
+// The hand of a session, tested by driver_contract.cpp.
 #include "station/recorded_hand.h"
 #include "tests/haptics/driver_contract.h"
 #include "tests/session/session_samples.h"
@@ -24,13 +24,13 @@ std::vector<ContractSubject> contract_subjects() {
     }
     writer.commit();
     return ContractScene{.identity = file->path().string(), .fault_at_end = DeviceFault::none, .leave = [file] {
-                         }};  // which keeps the file until then
+                         }};  // keeps the file until then
   };
   return {{.name = "recorded",
            .driver = &recorded_driver(),
            .arrange = arrange,
            .absent_identity = "/no/such.bodkin",
-           .told_of_absent = {"/no/such.bodkin"}}};
+           .absent_message = {"/no/such.bodkin"}}};
 }
 
 }  // namespace bodkin

@@ -21,7 +21,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Three ticks of a needle near an entry at (10, 80, -30), and one that was lost between the second and the third.
+// Three ticks of a needle near an entry at (10, 80, -30), with one lost between the second and the third.
 class RecordedHandTest : public ::testing::Test {
  protected:
   RecordedHandTest() {

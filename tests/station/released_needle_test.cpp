@@ -1,4 +1,4 @@
-// A frozen needle in a patient who breathes: it goes with the tissue, and the recording says where it was.
+// A frozen needle in a breathing patient: it moves with the tissue, and the recording contains its positions.
 #include "station/released_needle.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace bodkin::station {
 namespace {
 
-// Freezes the needle when it is 8 mm deep, and looks at it from then on until breath is drawn in.
+// Freezes the needle at 8 mm depth and observes it until breath is drawn in.
 struct FreezesNeedle : StationObserver {
   std::chrono::milliseconds interval() const override { return std::chrono::milliseconds(5); }
   void update(Station& station, const StationStatus& status) override {
@@ -89,7 +89,7 @@ TEST(ReleasedNeedle, takes_up_its_place_anew_whenever_it_is_let_go) {
 TEST(ReleasedNeedle, goes_where_tissue_that_turns_takes_it) {
   ReleasedNeedle needle;
   Pose now = needle_pose(Vec3(3.0, -20.0, 8.0), Vec3(0.1, 0.2, -1.0).normalized());
-  Pose before = Pose::Identity();  // of the tissue, when the needle was let go
+  Pose before = Pose::Identity();  // motion of the tissue when the needle was let go
   before.linear() = Eigen::AngleAxisd(0.05, Vec3::UnitY()).toRotationMatrix();
   before.translation() = Vec3(1.0, 0.0, -2.0);
   const Pose first = now;

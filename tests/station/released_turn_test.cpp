@@ -1,4 +1,4 @@
-// A needle that nobody holds, in a body that moves by itself: it goes and turns as the tissue along it does.
+// A released needle in a moving body: it moves and turns with the tissue along it.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,7 +16,7 @@ using namespace bodkin::simulation;
 using namespace bodkin::station;
 namespace {
 
-// mm, of every node of the block, which moves as one.
+// mm, for every node of the block, which moves rigidly.
 std::vector<float> moved_rigidly(const PressedBlock& block, const Pose& motion) {
   std::vector<float> moved;
   for (const Vec3& node : block.body->mesh.nodes) {
@@ -33,8 +33,8 @@ Pose turned_about(const Vec3& place, const Vec3& turn, const Vec3& by) {
   return motion;
 }
 
-// Neither the tissue pulls at it nor it at the tissue, whether it lies along the line on which it went in or was
-// tilted since.
+// No force acts between needle and tissue, whether the needle lies on the line of its insertion or has been tilted
+// since.
 TEST(ReleasedTurn, a_needle_that_was_let_go_turns_with_the_tissue) {
   const PressedBlock block = pressed_block();
   for (const double lean : {0.0, 0.03}) {
@@ -52,7 +52,7 @@ TEST(ReleasedTurn, a_needle_that_was_let_go_turns_with_the_tissue) {
     released.step(true, needle, tick.body()->tissue_motion());
     Wrench last = before;
     double farthest = 0.0;
-    // Slowly, as a probe presses.
+    // Slowly, as by a pressing probe.
     for (int i = 0; i < 2000; ++i) {
       const double share = std::min(1.0, i / 1200.0);
       if (i % 16 == 0)
@@ -74,14 +74,14 @@ TEST(ReleasedTurn, a_needle_that_was_let_go_turns_with_the_tissue) {
   }
 }
 
-// Tissue that is bent takes it to the straight line nearest to it.
+// Bent tissue takes it to the straight line nearest to the tissue.
 TEST(ReleasedTurn, in_bent_tissue_it_is_nearest_to_the_tissue) {
   const PressedBlock block = pressed_block();
   HapticTick tick(block.patient);
   const auto motion = std::make_shared<BodyMotion>();
   ASSERT_TRUE(tick.body()->move_with(motion));
   for (double depth = -2.0; depth < 22.0; depth += 0.05) tick.step({straight_down(-30.0, depth)});
-  // Aside by the square of the depth, at the nodes; what lies between them moves with their element.
+  // Sideways by the square of the depth at the nodes; points between them move with their element.
   std::vector<float> moved;
   for (const Vec3& node : block.body->mesh.nodes) {
     const auto depth = static_cast<float>(node.y());

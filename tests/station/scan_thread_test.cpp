@@ -1,5 +1,5 @@
-// The picture of a probe beside a needle that somebody holds, with the tissue as it is moved: against displacements
-// that are solved for the whole body at once, and pictures that are made one by one.
+// The image of a probe next to a held needle, with the displaced tissue: compared with displacements solved for the
+// whole body at once, and with images computed one by one.
 #include "station/scan_thread.h"
 
 #include <chrono>
@@ -24,18 +24,18 @@ using namespace bodkin::station;
 using namespace bodkin::study;
 namespace {
 
-SlicePlane grid_of(const LivePicture& picture) {
+SlicePlane grid_of(const LiveImage& picture) {
   SlicePlane grid;
-  grid.corner = picture.order.probe * picture.grid.corner;
-  grid.right = picture.order.probe.linear().col(0);
-  grid.down = picture.order.probe.linear().col(1);
+  grid.corner = picture.setup.probe * picture.grid.corner;
+  grid.right = picture.setup.probe.linear().col(0);
+  grid.down = picture.setup.probe.linear().col(1);
   grid.pixel = picture.grid.spacing;
   grid.width = picture.grid.columns;
   grid.height = picture.grid.rows;
   return grid;
 }
 
-void expect_field_of(const SeenThread& seen, const LivePicture& picture, const NodeForces& forces) {
+void expect_field_of(const SeenThread& seen, const LiveImage& picture, const NodeForces& forces) {
   const SlicePlane grid = grid_of(picture);
   const std::vector<float> expected =
       displacements_of_places(grid, displacements_at(*seen.block.body, forces, points_of(grid)));
@@ -56,17 +56,17 @@ TEST(ScanThread, what_moves_the_picture_is_the_field_of_the_forces) {
   const NodeForces forces = forces_on(seen.elastic, seen.block);
   ASSERT_EQ(forces.count, 3U);
   thread->set_needle(forces, straight_in);
-  const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
+  const LiveImage* const picture = picture_where(*thread, [](const LiveImage& now) { return now.most > 0.0; });
   ASSERT_NE(picture, nullptr);
   expect_field_of(seen, *picture, forces);
   EXPECT_EQ(picture->left_out, 0.0);
-  // The picture is the one that the machine makes of it.
+  // The simulated ultrasound machine gives the same image for this displacement.
   Ultrasound machine = seen.machine();
   ScanDisplacement displacement = picture->grid;
   displacement.moved = picture->moved;
-  const NeedleInSound needle{straight_in, Needle()};
-  EXPECT_EQ(machine.image(picture->order.probe, needle, displacement).pixels, picture->frame.pixels);
-  EXPECT_NE(machine.image(picture->order.probe, needle).pixels, picture->frame.pixels);
+  const NeedleInUltrasound needle{straight_in, Needle()};
+  EXPECT_EQ(machine.image(picture->setup.probe, needle, displacement).pixels, picture->frame.pixels);
+  EXPECT_NE(machine.image(picture->setup.probe, needle).pixels, picture->frame.pixels);
 }
 
 TEST(ScanThread, a_probe_that_moves_sees_the_body_where_it_is) {
@@ -78,13 +78,13 @@ TEST(ScanThread, a_probe_that_moves_sees_the_body_where_it_is) {
   deeper.depth = 30.0;
   Pose tilted = on_skin(4.0, -3.0);
   tilted.rotate(Eigen::AngleAxisd(0.3, Vec3::UnitX()) * Eigen::AngleAxisd(0.5, Vec3::UnitY()));
-  thread->set_order({tilted, deeper});
-  const LivePicture* const picture = picture_where(*thread, [&](const LivePicture& now) {
-    return now.most > 0.0 && now.order.settings.depth == 30.0 && now.order.probe.matrix() == tilted.matrix();
+  thread->set_setup({tilted, deeper});
+  const LiveImage* const picture = picture_where(*thread, [&](const LiveImage& now) {
+    return now.most > 0.0 && now.setup.settings.depth == 30.0 && now.setup.probe.matrix() == tilted.matrix();
   });
   ASSERT_NE(picture, nullptr);
   expect_field_of(seen, *picture, forces);
-  // 45 mm before; no less than the array is long, for the picture is square.
+  // 45 mm before; at least the length of the array, because the image is square.
   EXPECT_LT(picture->grid.spacing * (picture->grid.rows - 1), 42.0);
 }
 
@@ -93,20 +93,20 @@ TEST(ScanThread, settings_that_cannot_be_leave_the_last_ones) {
   const auto thread = seen.start(on_skin(0.0, 5.0));
   UltrasoundSettings wrong = shallow();
   wrong.gain = 1000.0;
-  thread->set_order({on_skin(0.0, 5.0), wrong});
-  const LivePicture* const picture = picture_where(*thread, [](const LivePicture& now) { return now.refused; });
+  thread->set_setup({on_skin(0.0, 5.0), wrong});
+  const LiveImage* const picture = picture_where(*thread, [](const LiveImage& now) { return now.refused; });
   ASSERT_NE(picture, nullptr);
-  EXPECT_EQ(picture->order.settings, shallow());
+  EXPECT_EQ(picture->setup.settings, shallow());
   EXPECT_EQ(picture->frame.why, NoImage::none);
 }
 
-// Forces and needle are told as one: the field grows with the depth of the needle that is in the picture.
+// Forces and needle are published together: the field grows with the depth of the needle in the image.
 TEST(ScanThread, every_picture_is_of_one_tick_and_the_tick_never_waits) {
   SeenThread seen;
   const auto thread = seen.start(on_skin(0.0, 5.0), 1000.0);
   const NodeForces unit = forces_on(seen.elastic, seen.block, 0.1F);
   thread->set_needle(unit, needle_pose(Vec3(0.0, -1.0, 0.0), -Vec3::UnitY()));
-  const LivePicture* const first = picture_where(*thread, [](const LivePicture& now) { return now.most > 0.0; });
+  const LiveImage* const first = picture_where(*thread, [](const LiveImage& now) { return now.most > 0.0; });
   ASSERT_NE(first, nullptr);
   const double most = first->most;
   std::jthread tick([&](const std::stop_token& stop) {
@@ -118,12 +118,12 @@ TEST(ScanThread, every_picture_is_of_one_tick_and_the_tick_never_waits) {
   });
   std::uint64_t last = 0;
   for (int pictures = 0; pictures < (sanitized ? 5 : 60);) {
-    const LivePicture& now = thread->picture();
+    const LiveImage& now = thread->picture();
     ASSERT_GE(now.number, last);
     if (now.number > last) {
       ++pictures;
       ASSERT_TRUE(now.needle);
-      // In the plane of a small displacement the field is linear in the forces but for where it is looked up.
+      // In the plane of a small displacement the field is linear in the forces, except for where it is sampled.
       ASSERT_NEAR(now.most / most, -now.needle->translation().y(), 0.35);
     }
     last = now.number;
@@ -134,7 +134,7 @@ TEST(ScanThread, every_picture_is_of_one_tick_and_the_tick_never_waits) {
 TEST(ScanThread, keeps_up) {
   SeenThread seen;
   const auto thread = seen.start(on_skin(0.0, 5.0), 60.0);
-  ASSERT_NE(picture_where(*thread, [](const LivePicture&) { return true; }), nullptr);
+  ASSERT_NE(picture_where(*thread, [](const LiveImage&) { return true; }), nullptr);
   const std::uint64_t before = thread->picture().number;
   const auto begin = std::chrono::steady_clock::now();
   for (int tick = 0; tick < 1000; ++tick) {
@@ -147,8 +147,8 @@ TEST(ScanThread, keeps_up) {
   EXPECT_LT(static_cast<double>(made) / gone, 75.0);
 }
 
-// Tissue that breath carries along the array is what a probe sees that is moved the other way. Away from the probe it
-// is carried less.
+// Tissue that breath moves along the array looks as to a probe moved the opposite way. Away from the probe it moves
+// less.
 TEST(ScanThread, breath_moves_the_tissue_in_the_picture) {
   SeenThread seen;
   for (const bool deformable : {false, true}) {
@@ -169,8 +169,8 @@ TEST(ScanThread, breath_moves_the_tissue_in_the_picture) {
       const Pose probe = on_skin(0.0, 0.0);
       ScanThread thread(seen.block.sounding, seen.machine(), Needle(), std::move(body), {probe, shallow()}, 200.0);
       thread.set_needle({}, straight_in, 1.0);
-      const LivePicture* const picture =
-          picture_where(thread, [](const LivePicture& now) { return now.needle.has_value() && now.number > 2; });
+      const LiveImage* const picture =
+          picture_where(thread, [](const LiveImage& now) { return now.needle.has_value() && now.number > 2; });
       ASSERT_NE(picture, nullptr);
       EXPECT_EQ(picture->needle->translation(), straight_in.translation()) << "where the hand holds it";
       const Vec3 carried = probe.translation() - field.material(probe.translation(), 1.0);
@@ -179,13 +179,13 @@ TEST(ScanThread, breath_moves_the_tissue_in_the_picture) {
       moved.translation() -= carried;
       needle.translation() -= carried;
       Ultrasound machine = seen.machine();
-      const UltrasoundFrame expected = machine.image(moved, NeedleInSound{needle, Needle()});
-      const UltrasoundFrame still = machine.image(probe, NeedleInSound{straight_in, Needle()});
+      const UltrasoundFrame expected = machine.image(moved, NeedleInUltrasound{needle, Needle()});
+      const UltrasoundFrame still = machine.image(probe, NeedleInUltrasound{straight_in, Needle()});
       if (breathing.radius == wide.radius) {
         EXPECT_LT(mean_difference(picture->frame, expected), 0.6 * mean_difference(still, expected))
             << "but for speckle, which tells parts of a millimetre";
       }
-      // Every point of the grid, against the formula by repeated substitution.
+      // Every point of the grid, compared with the formula solved by repeated substitution.
       const SlicePlane grid = grid_of(*picture);
       const std::vector<Vec3> points = points_of(grid);
       double apart = 0.0;
@@ -197,7 +197,7 @@ TEST(ScanThread, breath_moves_the_tissue_in_the_picture) {
         }
         const Vec3 found = Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * i).cast<double>();
         const Vec3 by_breath = points[i] - material - carried;
-        // The press of the probe is on top of it, across the array.
+        // The displacement by the probe's pressure is added, across the array.
         apart = std::max(apart, std::abs(found.z() - by_breath.z()));
       }
       EXPECT_LT(apart, 0.2) << deformable;
@@ -209,12 +209,11 @@ TEST(ScanThread, without_a_body_the_picture_is_rigid) {
   SeenThread seen;
   ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {}, {on_skin(0.0, 5.0, 2.0), shallow()}, 200.0);
   thread.set_needle({}, straight_in);
-  const LivePicture* const picture =
-      picture_where(thread, [](const LivePicture& now) { return now.needle.has_value(); });
+  const LiveImage* const picture = picture_where(thread, [](const LiveImage& now) { return now.needle.has_value(); });
   ASSERT_NE(picture, nullptr);
   EXPECT_EQ(picture->grid.columns, 0);
   Ultrasound machine = seen.machine();
-  EXPECT_EQ(machine.image(on_skin(0.0, 5.0, 2.0), NeedleInSound{straight_in, Needle()}).pixels,
+  EXPECT_EQ(machine.image(on_skin(0.0, 5.0, 2.0), NeedleInUltrasound{straight_in, Needle()}).pixels,
             picture->frame.pixels);
 }
 
@@ -222,14 +221,14 @@ TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
   SeenThread seen;
   ScanThread thread(seen.block.sounding, seen.machine(), Needle(), {seen.block.body, nullptr, true},
                     {on_skin(0.0, 0.0), shallow()}, 200.0);
-  ASSERT_NE(picture_where(thread, [](const LivePicture&) { return true; }), nullptr);
+  ASSERT_NE(picture_where(thread, [](const LiveImage&) { return true; }), nullptr);
   EXPECT_EQ(thread.picture().most, 0.0);
-  thread.set_displacements(std::vector<float>(7, 1.0F));  // of another mesh
+  thread.set_displacements(std::vector<float>(7, 1.0F));  // the size of another mesh
   std::vector<float> nodes;
   for (std::size_t node = 0; node < seen.block.body->mesh.nodes.size(); ++node)
     nodes.insert(nodes.end(), {0.5F, -2.0F, 1.0F});
   thread.set_displacements(nodes);
-  const LivePicture* const picture = picture_where(thread, [](const LivePicture& now) { return now.most > 0.0; });
+  const LiveImage* const picture = picture_where(thread, [](const LiveImage& now) { return now.most > 0.0; });
   ASSERT_NE(picture, nullptr);
   const SlicePlane grid = grid_of(*picture);
   const std::vector<Vec3> points = points_of(grid);
@@ -237,7 +236,7 @@ TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
   for (std::size_t point = 0; point < points.size(); ++point) {
     if (points[point].y() > -4.0 || points[point].y() < -44.0 || std::abs(points[point].z()) > 35.0) continue;
     ++inside;
-    // Where tissue comes from is found in eight halvings.
+    // The origin of tissue is found in eight halvings.
     const Eigen::Vector3f expected(0.5F, -2.0F, 1.0F);
     ASSERT_LT((Eigen::Map<const Eigen::Vector3f>(picture->moved.data() + 3 * point) - expected).norm(),
               1.1F / 256.0F * expected.norm());
@@ -245,12 +244,12 @@ TEST(ScanThread, what_is_told_of_the_nodes_of_a_moving_body_moves_the_picture) {
   EXPECT_GT(inside, 100);
 }
 
-// What the probe presses is added, as the machine has it where it is given no displacement.
+// The displacement by the probe is added, as by the ultrasound machine when it gets no displacement.
 TEST(ScanThread, a_pressed_probe_presses_beside_the_needle) {
   SeenThread seen;
   const Pose pressed = on_skin(0.0, 0.0, 4.0);
   const auto thread = seen.start(pressed);
-  const LivePicture* const picture = picture_where(*thread, [](const LivePicture&) { return true; });
+  const LiveImage* const picture = picture_where(*thread, [](const LiveImage&) { return true; });
   ASSERT_NE(picture, nullptr);
   EXPECT_EQ(picture->most, 0.0);
   EXPECT_NEAR(picture->frame.press, 4.0, 0.6);

@@ -1,4 +1,4 @@
-// Two hands at once: what the second one feels of the needle, what is recorded of it, and what a fault of it does.
+// Two hands at once: what the second hand feels of the needle, what is recorded of it, and the effect of its fault.
 #include "station/second_hand.h"
 
 #include <chrono>
@@ -43,7 +43,7 @@ TEST(SecondWorkspace, the_probes_middle_is_sixty_millimetres_to_the_operators_le
   EXPECT_EQ(second_workspace(SecondRole::plunger, path).rotation, Mat3::Identity());
 }
 
-// Four threads: two hands, the recorder, and this one, which watches.
+// Four threads: two hands, the recorder, and this observing one.
 TEST(SecondHand, two_hands_a_recorder_and_a_watcher_meet_without_waiting) {
   const ScratchSession scratch;
   const Case patient = lumbar_case();
@@ -99,7 +99,7 @@ TEST(SecondHand, feels_ligament_as_pressure_and_the_epidural_space_as_its_loss) 
   };
   EXPECT_TRUE(comes_true([&] { return hand->snapshot().force > 2.0; }));
   EXPECT_GT(hand->servo().tick().snapshot().applied.force.z(), 1.0) << "upwards, at the hand";
-  // At 1.5 mm/s the needle lets 0.5 N be: (R_needle + R_tissue) A^2 s'; with the space's own pressure 0.6 N.
+  // At 1.5 mm/s the flow leaves 0.5 N: (R_needle + R_tissue) A^2 s'; with the space's own pressure 0.6 N.
   link->needle.write({0.1, tissue::epidural_fat});
   EXPECT_TRUE(comes_true([&] { return hand->snapshot().force < 1.0; }));
   hand->disarm();

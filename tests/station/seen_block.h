@@ -31,10 +31,10 @@ struct SeenBlock {
   Case patient;
   std::shared_ptr<const BodyDescription> body;
   std::shared_ptr<const AcousticVolume> sounding;
-  std::vector<std::uint32_t> shaft;  // nodes of the corridor about the path
+  std::vector<std::uint32_t> shaft;  // nodes of the corridor around the path
 };
 
-// A block of muscle over fat, 80 x 50 x 80 mm below the plane y = 0, held at its bottom; the path goes straight down
+// A block of muscle over fat, 80 x 50 x 80 mm below the plane y = 0, fixed at its bottom; the path goes straight down
 // from the origin.
 inline SeenBlock seen_block() {
   SeenBlock made;
@@ -89,7 +89,7 @@ inline Pose on_skin(double x, double z, double press = 0.0) {
 
 inline const Pose straight_in = needle_pose(Vec3(0.0, -20.0, 0.0), -Vec3::UnitY());
 
-// A push and a pull of some newtons on three nodes about the path.
+// Forces of some newtons on three nodes around the path, pushing and pulling.
 inline NodeForces forces_on(const ElasticBody& elastic, const SeenBlock& block, float scale = 1.0F) {
   const std::vector<std::uint32_t> nodes =
       nodes_of_shaft(elastic, block.body->mesh, *block.patient.description.procedure.path, 15.0, 3);
@@ -101,9 +101,9 @@ inline NodeForces forces_on(const ElasticBody& elastic, const SeenBlock& block, 
   return forces;
 }
 
-inline const LivePicture* picture_where(ScanThread& thread, const std::function<bool(const LivePicture&)>& holds) {
+inline const LiveImage* picture_where(ScanThread& thread, const std::function<bool(const LiveImage&)>& holds) {
   for (int tries = 0; tries < 4000; ++tries) {
-    const LivePicture& now = thread.picture();
+    const LiveImage& now = thread.picture();
     if (now.number > 0 && holds(now)) return &now;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -120,7 +120,7 @@ struct SeenThread {
     ScanBody body{block.body,
                   std::make_unique<NodeField>(elastic, *block.body, *block.patient.description.procedure.path)};
     return std::make_unique<ScanThread>(block.sounding, machine(), Needle(), std::move(body),
-                                        ScanOrder{pose, shallow()}, rate);
+                                        ScanSetup{pose, shallow()}, rate);
   }
 };
 

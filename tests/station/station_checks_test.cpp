@@ -20,12 +20,12 @@ haptics::StableStiffness of_axes(const Vec3& axis) {
 }
 
 TEST(StationChecks, the_needle_gets_the_stiffness_of_the_axes_along_it_and_what_holds_it_that_of_the_weakest) {
-  // Into the back, which lies face down before the operator: downwards for the device.
+  // Into the back of a prone patient in front of the operator: downwards for the device.
   const anatomy::NeedlePath path{Vec3(0.0, 100.0, 0.0), Vec3(0.0, 40.0, 0.0)};
   const haptics::WorkspaceSettings workspace = workspace_about(path);
   const anatomy::DeviceLimits weak_aside =
       with_stiffness(of_axes(Vec3(1.0, 4.0, 4.0)), workspace, path, anatomy::DeviceLimits());
-  // 30 degrees off to the side: 1 / (sin^2 / 1 + cos^2 / 4).
+  // 30 degrees to the side: 1 / (sin^2 / 1 + cos^2 / 4).
   EXPECT_NEAR(weak_aside.stiffness, 1.0 / (0.25 + 0.75 / 4.0), 0.01);
   EXPECT_DOUBLE_EQ(weak_aside.across(), 1.0);
   const anatomy::DeviceLimits weak_along =

@@ -1,4 +1,4 @@
-// A whole session put together from options, without a person: what an application, a server or a test starts.
+// A whole session assembled from options, without a person: as an application, a server or a test starts it.
 #include "station/station.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ using ::testing::HasSubstr;
 
 constexpr const char* quick_hand = "speed_mm_s=80 start_mm=10 depth_mm=20 wait_s=0.3";
 
-// A device that only measures: it goes straight down along the planned path, then 30 mm to the side, then ends.
+// A device that only measures: it moves straight down along the planned path, then 30 mm to the side, then ends.
 struct PuckOnRails {
   std::uint64_t round = 0;
   static constexpr double ms_down = 800.0, ms_aside = 1200.0, ms_end = 1300.0;
@@ -77,7 +77,7 @@ const bodkin_driver puck_driver = {BODKIN_DRIVER_ABI,
                                    [](void*) {},
                                    nullptr};
 
-// Remembers what it is shown, and what it is told.
+// Stores the statuses and notes that it receives.
 struct Watcher : StationObserver {
   void note(const std::string& sentence) override { notes.push_back(sentence); }
   std::vector<Vec3> prepare(const Case& patient, const BodyDescription* body) override {
@@ -106,7 +106,7 @@ struct Watcher : StationObserver {
   std::uint64_t pictures = 0;
 };
 
-// A case of flat layers in a folder of its own, with a mesh for a deformable body.
+// A case of flat layers in its own folder, with a mesh for a deformable body.
 class StationTest : public ::testing::Test {
  protected:
   StationTest() : patient_(slab_case({{tissue::skin, 2.0}, {tissue::fat, 12.0}, {tissue::muscle, 36.0}})) {
@@ -211,7 +211,7 @@ TEST_F(StationTest, the_body_is_moved_while_the_needle_is_outside_and_stays_whil
   Watcher watcher;
   Station station(std::move(wanted), watcher);
   station.start();
-  // What lay in the middle of the workspace goes 6 mm to one side: the needle goes in 6 mm beside the path.
+  // The middle of the workspace moves 6 mm to one side: the needle enters 6 mm from the path.
   EXPECT_TRUE(station.move_body(usual.centre + 6.0 * Vec3::UnitX(), usual.rotation));
   bool was_refused = false;
   while (!station.ended()) {
@@ -249,20 +249,20 @@ TEST_F(StationTest, performs_on_a_deformable_patient_whose_points_move_and_the_r
   EXPECT_EQ(replayed.ticks, result.run.ticks);
 }
 
-// Slides the probe on the screen, as a mouse does in the window, and turns the depth up.
+// Slides the probe on the screen, as a mouse does in the window, and increases the depth.
 struct ProbeMover : Watcher {
   void update(Station& station, const StationStatus& status) override {
     Watcher::update(station, status);
     if (status.ultrasound == nullptr || status.ultrasound->number == 0) return;
-    if (!first) first = status.ultrasound->order;
+    if (!first) first = status.ultrasound->setup;
     if (updates < 8) return;
     moved = *first;
     moved.probe.translation().x() += 4.0;
     moved.settings.depth = 55.0;
-    station.set_scan_order(moved);
+    station.set_scan_setup(moved);
   }
-  std::optional<ScanOrder> first;
-  ScanOrder moved;
+  std::optional<ScanSetup> first;
+  ScanSetup moved;
 };
 
 TEST_F(StationTest, a_probe_that_is_moved_on_the_screen_is_in_the_session) {
@@ -312,7 +312,7 @@ TEST_F(StationTest, a_second_hand_on_the_plunger_is_the_thumb_of_the_syringe) {
   patient_.description.haptics.parts.syringe.emplace();
   StationOptions wanted = options();
   wanted.device.settings = "speed_mm_s=40 start_mm=5 depth_mm=15 wait_s=1";
-  // 2 s long, from where it was armed straight down.
+  // A motion of 2 s, straight down from its place at arming.
   wanted.second = SecondChoice{{&simulated_driver(), "", "speed_mm_s=20 depth_mm=20 wait_s=20"}, SecondRole::plunger};
   Watcher watcher;
   Station station(std::move(wanted), watcher);
@@ -330,7 +330,7 @@ TEST_F(StationTest, a_second_hand_on_the_plunger_is_the_thumb_of_the_syringe) {
   EXPECT_FALSE(replay(station.patient()).difference.has_value());
 }
 
-// Takes the thumb off the plunger, and puts it back after a while.
+// Takes the thumb off the plunger and later puts it back.
 struct Presser : Watcher {
   void update(Station& station, const StationStatus& status) override {
     Watcher::update(station, status);
@@ -381,7 +381,7 @@ TEST_F(StationTest, ends_by_a_command_by_its_time_and_from_another_thread) {
   const StationResult late = Station(wanted, patient).run();
   EXPECT_FALSE(late.run.operator_finished);
   EXPECT_LT(late.run.wall_time, 10.0);
-  // Without run(): the caller's own loop.
+  // Without run(): the caller has its own loop.
   wanted.longest = 60.0;
   StationObserver nobody;
   Station station(wanted, nobody);

@@ -1,4 +1,4 @@
-// A needle that turns inside the deformable body meets what is ahead of it then.
+// A needle that turns inside the deformable body meets the tissue that is ahead of it after the turn.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,10 +20,10 @@ using namespace bodkin::session;
 using namespace bodkin::simulation;
 namespace {
 
-constexpr double wall = 18.0;      // mm, depth of the bone and of the ligament beside it, 3 mm thick
+constexpr double wall = 18.0;      // mm, depth of the bone and the ligament next to it, 3 mm thick
 constexpr double turned_at = 6.0;  // mm deep
 
-// The planned path runs at x = 15. Bone ends 3 mm beside a needle that enters at `x`.
+// The planned path runs at x = 15. Bone ends 3 mm from a needle that enters at `x`.
 BlockOfTissue block_with_bone(double x = 30.0) {
   BlockOfTissue block = block_of_tissue();
   TissueVolume& tissues = block.patient.tissues;
@@ -37,8 +37,8 @@ BlockOfTissue block_with_bone(double x = 30.0) {
   return block;
 }
 
-// In at `x`, straight down to `turned_at`; there the hand turns the needle by `tilt` (rad) about its hole in the
-// skin, and goes on to `deepest` and out again.
+// In at `x`, straight down to `turned_at`; there the hand tilts the needle by `tilt` (rad) about its hole in the
+// skin, then advances to `deepest` and withdraws.
 std::vector<Pose> way(double x, double tilt, double deepest) {
   std::vector<Pose> poses;
   const Vec3 hole(x, 30.0, 0.0);
@@ -84,8 +84,7 @@ bool has(const Session& session, EventKind kind) {
   return std::ranges::any_of(session.events, [kind](const SessionEvent& event) { return event.event.kind == kind; });
 }
 
-// Bone lies straight ahead of the needle; after its turn the ligament does. On a line of its own and on the planned
-// one.
+// Straight ahead lies bone; after the turn, ligament. On a line of the needle's own and on the planned one.
 TEST(TurnedNeedle, meets_the_layers_that_lie_ahead_of_it_then) {
   constexpr double tilt = 0.5;
   const double along = wall / std::cos(tilt);
@@ -96,7 +95,7 @@ TEST(TurnedNeedle, meets_the_layers_that_lie_ahead_of_it_then) {
     EXPECT_FALSE(has(session, EventKind::points_late)) << x;
     const std::vector<double> given = depths_of(session, EventKind::puncture, tissue::ligamentum_flavum);
     ASSERT_EQ(given.size(), 1U) << x;
-    EXPECT_GT(given.front(), along - 3.0) << x;  // what it turned in lies 6 mm deep, and has not turned with it
+    EXPECT_GT(given.front(), along - 3.0) << x;  // the tissue in which it turned lies 6 mm deep and has not turned
     EXPECT_EQ(depths_of(session, EventKind::puncture, tissue::skin).size(), 1U) << x;
     expect_replay(session, block);
   }
@@ -113,7 +112,7 @@ TEST(TurnedNeedle, that_goes_straight_on_meets_the_bone) {
   EXPECT_EQ(lines, 1) << "it has stayed on its line";
 }
 
-// What it has reached stays as it is: the force goes on, tick by tick.
+// What the needle has already reached stays unchanged: the force continues smoothly, tick by tick.
 TEST(TurnedNeedle, goes_on_without_a_jump_of_its_force) {
   const BlockOfTissue block = block_with_bone();
   const Session session = session_of(block, way(30.0, 0.5, 17.0), BodyPort::PointTiming::as_known, true);

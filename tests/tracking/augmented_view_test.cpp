@@ -1,4 +1,4 @@
-// What stands over a camera's picture, of a patient whose parts are where the test has put them.
+// The overlay on a camera image, for a patient whose parts the test has placed.
 #include "tracking/augmented_view.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ anatomy::Case block() {
   return made;
 }
 
-imaging::MovedTissue moved_by(const std::function<Vec3(const Vec3&)>& law) {
+imaging::TissueDisplacement moved_by(const std::function<Vec3(const Vec3&)>& law) {
   const imaging::PointLattice lattice =
       imaging::lattice_around({Vec3::Constant(-60.0), Vec3::Constant(60.0)}, 30.0, 1000);
   std::vector<float> displacements;
@@ -46,7 +46,7 @@ imaging::MovedTissue moved_by(const std::function<Vec3(const Vec3&)>& law) {
     for (const double part : law(point)) displacements.push_back(static_cast<float>(part));
   return {lattice, displacements};
 }
-imaging::MovedTissue moved_by(const Vec3& all) {
+imaging::TissueDisplacement moved_by(const Vec3& all) {
   return moved_by([&](const Vec3& /*rest*/) { return all; });
 }
 
@@ -58,15 +58,15 @@ class AugmentedViewTest : public testing::Test {
     }
     mannequin_pose_.status = needle_pose_.status = TrackingStatus::ok;
     mannequin_pose_.camera_from_body.translation() = Vec3(0.0, 0.0, 500.0);
-    // The mannequin's axes are the patient's, and the needle's tip is in his middle.
+    // The mannequin's axes are the patient's, and the needle's tip is at the patient's centre.
     needle_pose_.camera_from_body.translation() = Vec3(0.0, 0.0, 500.0) - needle_.tip;
   }
-  imaging::ImageRgb draw(const imaging::MovedTissue* moved) {
+  imaging::ImageRgb draw(const imaging::TissueDisplacement* moved) {
     imaging::ImageRgb picture(camera_.width, camera_.height);
     view_.draw(picture, &mannequin_pose_, {{&needle_, &needle_pose_}}, moved);
     return picture;
   }
-  // Middle of what is bright in the view from the front, mm from its left upper corner.
+  // Centre of the bright pixels in the front view, mm from its upper left corner.
   Eigen::Vector2d bar_in(const imaging::ImageRgb& picture) const {
     const int side = static_cast<int>(0.3 * camera_.height);
     const int left = camera_.width - side - 12, top = camera_.height - side - 12;
@@ -92,12 +92,12 @@ class AugmentedViewTest : public testing::Test {
   AugmentedView view_{patient_, camera_, Similarity(), {.status = false}};
 };
 
-// Seen from the front the patient's left (x) is on the right and his head (z) above.
+// In the front view the patient's left (x) is on the right and the head (z) at the top.
 TEST_F(AugmentedViewTest, the_view_from_the_front_shows_where_the_tissue_is_now) {
   const Eigen::Vector2d at_rest = bar_in(draw(nullptr));
   EXPECT_NEAR(at_rest.x(), 70.0 - 20.0, 2.0);
   EXPECT_NEAR(at_rest.y(), 70.0 - 10.0, 2.0);
-  const imaging::MovedTissue moved = moved_by(Vec3(-12.0, 0.0, 8.0));
+  const imaging::TissueDisplacement moved = moved_by(Vec3(-12.0, 0.0, 8.0));
   const Eigen::Vector2d now = bar_in(draw(&moved));
   EXPECT_NEAR(now.x() - at_rest.x(), -12.0, 1.0);
   EXPECT_NEAR(now.y() - at_rest.y(), -8.0, 1.0);
@@ -111,13 +111,13 @@ TEST_F(AugmentedViewTest, the_needle_is_in_the_tissue_that_has_moved_to_its_tip)
   ASSERT_TRUE(view_.needle().has_value());
   EXPECT_LT(view_.needle()->tip.norm(), 1e-6);
   EXPECT_FALSE(view_.needle()->bone);
-  const imaging::MovedTissue moved = moved_by(Vec3(-25.0, 0.0, 0.0));
+  const imaging::TissueDisplacement moved = moved_by(Vec3(-25.0, 0.0, 0.0));
   draw(&moved);
   EXPECT_TRUE(view_.needle()->bone) << view_.needle()->tissue;
 }
 
-// A needle that lies across the picture, from the left through air, fat and muscle into bone: each stretch of its
-// shaft has the colour of the tissue around it, and a tip on bone is ringed in red.
+// A needle lies across the image, from the left through air, fat and muscle into bone: each part of its shaft has
+// the colour of the tissue around it, and a tip on bone has a red ring.
 TEST_F(AugmentedViewTest, the_needle_has_the_colours_of_the_tissues_that_it_lies_in) {
   for (int k = 0; k < 100; ++k) {
     for (int j = 0; j < 100; ++j) {
@@ -167,7 +167,7 @@ TEST_F(AugmentedViewTest, the_needle_has_the_colours_of_the_tissues_that_it_lies
   EXPECT_TRUE(view.needle()->bone);
   EXPECT_EQ(view.needle()->tissue, patient_.library.title(anatomy::tissue::cortical_bone));
   EXPECT_NEAR(view.needle()->depth, 25.0 + 50.0, 1.5) << "mm of the shaft inside the block";
-  // Ringed: red on bone, white elsewhere.
+  // The ring is red on bone, white elsewhere.
   constexpr double ring = 6.0;  // pixels
   const auto redness = [](const Drawn& drawn) {
     const auto& pixel = drawn.picture.at(static_cast<int>(drawn.tip.x()), static_cast<int>(drawn.tip.y() - ring));
@@ -181,7 +181,7 @@ TEST_F(AugmentedViewTest, the_needle_has_the_colours_of_the_tissues_that_it_lies
   EXPECT_LT(differs(in_muscle.picture, shaft(-10.0), colour_of_tissue(anatomy::tissue::muscle)), 12);
 }
 
-// The body of muscle ends at x = 30 mm, in air. Its side is pressed in by 8 mm, and less the farther away tissue is.
+// The body of muscle ends at x = 30 mm, in air. Its side is pressed in by 8 mm; tissue farther away moves less.
 TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
   for (int k = 0; k < 100; ++k)
     for (int j = 0; j < 100; ++j)
@@ -190,10 +190,10 @@ TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
   look.preset = imaging::TransferPreset::skin;
   look.needle = look.front_view = look.status = look.coarse_while_moving = false;
   AugmentedView view(patient_, camera_, Similarity(), look);
-  const imaging::MovedTissue pressed = moved_by(
+  const imaging::TissueDisplacement pressed = moved_by(
       [](const Vec3& rest) { return Vec3(-8.0 * std::clamp((rest.x() + 30.0) / 60.0, 0.0, 1.0), 0.0, 0.0); });
-  // Where the outline is, px to the right of the optical axis, in the row through it.
-  const auto outline = [&](const imaging::MovedTissue* moved) {
+  // Position of the outline, px to the right of the optical axis, in the row through it.
+  const auto outline = [&](const imaging::TissueDisplacement* moved) {
     imaging::ImageRgb picture(camera_.width, camera_.height);
     view.draw(picture, &mannequin_pose_, {}, moved);
     int right = 0;
@@ -202,14 +202,14 @@ TEST_F(AugmentedViewTest, a_pressed_skin_is_seen_in_the_oval_where_it_is_now) {
     }
     return right - camera_.cx;
   };
-  // The silhouette is the edge that is nearest to the camera, at z = 450 mm.
+  // The silhouette is the edge nearest to the camera, at z = 450 mm.
   const double at_rest = outline(nullptr), now = outline(&pressed);
   EXPECT_NEAR(at_rest, camera_.fx * 30.0 / 450.0, 2.0);
   EXPECT_NEAR(now, camera_.fx * 22.0 / 450.0, 2.0);
-  EXPECT_EQ(outline(nullptr), at_rest);  // let go
+  EXPECT_EQ(outline(nullptr), at_rest);  // released
 }
 
-// A cube of 30 mm lies across the picture, outside the patient: its shaft begins at its side, 15 mm from its middle.
+// A cube of 30 mm lies across the image, outside the patient: its shaft begins at its side, 15 mm from its centre.
 TEST_F(AugmentedViewTest, the_shaft_begins_where_the_needle_s_own_hub_ends) {
   const MarkerBody small = cube_body("needle", 12, 30.0, 120.0);
   AugmentedLook look;
@@ -229,7 +229,7 @@ TEST_F(AugmentedViewTest, the_shaft_begins_where_the_needle_s_own_hub_ends) {
   for (const double from_middle : {0.0, 8.0, 13.0}) EXPECT_FALSE(drawn(from_middle)) << from_middle;
 }
 
-// A lost body is not drawn and the pose that it had is not used; in words it is shown as what it is.
+// A lost body is not drawn and its last pose is not used; its status is shown in words.
 TEST_F(AugmentedViewTest, a_pose_that_is_lost_or_uncertain_draws_nothing_but_its_status) {
   imaging::ImageRgb camera_picture(camera_.width, camera_.height);
   for (int y = 0; y < camera_picture.height; ++y)
@@ -237,7 +237,7 @@ TEST_F(AugmentedViewTest, a_pose_that_is_lost_or_uncertain_draws_nothing_but_its
       camera_picture.at(x, y) = {static_cast<std::uint8_t>(x % 200), static_cast<std::uint8_t>(y % 180), 90};
   const std::vector<ShownBody> tools = {{&needle_, &needle_pose_}};
   AugmentedLook look;
-  // The status of each pose as its line says it, in its colour.
+  // The status of each pose as text, in its colour.
   const auto with_words = [&](const std::vector<std::pair<std::string, std::uint32_t>>& lines) {
     imaging::ImageRgb picture = camera_picture;
     imaging::Canvas canvas(picture.width, picture.height);
@@ -271,7 +271,7 @@ TEST_F(AugmentedViewTest, a_pose_that_is_lost_or_uncertain_draws_nothing_but_its
               with_words({{"mannequin: uncertain", yellow}, {"needle: lost", red}}).pixels);
   EXPECT_TRUE(drawn(lost, uncertain, true) ==
               with_words({{"mannequin: lost", red}, {"needle: uncertain", yellow}}).pixels);
-  // In the patient, a needle that is not ok leaves what stands there without a needle.
+  // With a visible patient, a needle that is not ok gives the same image as no needle.
   const auto without_needle = [&] {
     mannequin_pose_.status = ok;
     look.status = false;
@@ -285,7 +285,7 @@ TEST_F(AugmentedViewTest, a_pose_that_is_lost_or_uncertain_draws_nothing_but_its
   EXPECT_FALSE(drawn(ok, ok, false) == without_needle);
 }
 
-// A mannequin that was seen and then is lost does not stay in the picture where it was.
+// A mannequin that is lost disappears from the image.
 TEST_F(AugmentedViewTest, the_last_pose_is_never_drawn_for_one_that_is_lost) {
   draw(nullptr);
   EXPECT_NE(view_.cutaway(), nullptr);
@@ -296,8 +296,8 @@ TEST_F(AugmentedViewTest, the_last_pose_is_never_drawn_for_one_that_is_lost) {
   EXPECT_FALSE(view_.needle().has_value());
 }
 
-// Issue 19: an oval of four times the pixels falls back to a coarser cast and says so, in the picture where it has
-// words, and by is_large() where it has none; also while the mannequin moves.
+// Issue 19: an oval of four times the pixels is cast more coarsely and reports it: in the image if it shows text, by
+// is_large() otherwise; also while the mannequin moves.
 TEST_F(AugmentedViewTest, an_oval_of_four_times_the_pixels_is_cast_coarser_and_says_so) {
   AugmentedLook look;
   look.needle = look.front_view = look.plan = false;
@@ -330,10 +330,10 @@ TEST_F(AugmentedViewTest, an_oval_of_four_times_the_pixels_is_cast_coarser_and_s
   EXPECT_TRUE(view.is_large());
 }
 
-// What is used again is used for the same tissue only; what moves less than can be seen costs no rays.
+// Rays are reused only for the same tissue; an invisibly small motion costs no rays.
 TEST_F(AugmentedViewTest, rays_are_cast_anew_when_the_tissue_moves) {
-  const imaging::MovedTissue one = moved_by(Vec3(-12.0, 0.0, 8.0)), same = moved_by(Vec3(-12.0, 0.0, 8.01)),
-                             other = moved_by(Vec3(-12.0, 0.0, 9.0));
+  const imaging::TissueDisplacement one = moved_by(Vec3(-12.0, 0.0, 8.0)), same = moved_by(Vec3(-12.0, 0.0, 8.01)),
+                                    other = moved_by(Vec3(-12.0, 0.0, 9.0));
   view_.set_look({.status = false, .coarse_while_moving = false});
   draw(&one);
   draw(&same);

@@ -1,4 +1,4 @@
-// A cube folded with errors gives its faces back.
+// The faces of an inaccurately folded cube are found.
 #include "tracking/body_calibration.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ Vec3 normal_vector(Random& random, double deviation) {
   return deviation * Vec3(x, y, z);
 }
 
-// Faces misplaced by 0.3 mm and 0.7 degrees, but for the first.
+// Faces misplaced by 0.3 mm and 0.7 degrees, except the first.
 MarkerBody folded_badly(const MarkerBody& body, Random& random) {
   MarkerBody folded = body;
   for (std::size_t f = 1; f < 5; ++f) {
@@ -33,8 +33,8 @@ MarkerBody folded_badly(const MarkerBody& body, Random& random) {
   return folded;
 }
 
-// What so many pictures say of the body that really is folded otherwise, turned about its axis with its corners
-// towards the camera.
+// Calibrates from images of the inaccurately folded body, turned about its axis with its corners towards the
+// camera.
 CalibratedBody calibrated(const CameraModel& camera, const MarkerBody& nominal, const MarkerBody& folded,
                           int pictures, Random& random) {
   BodyCalibration calibration(camera, nominal);
@@ -81,8 +81,8 @@ TEST(BodyCalibration, faces_folded_with_errors_are_found) {
   EXPECT_LT(found.faces[1].deviation, 0.05);
 }
 
-// Issue 19: the tip 150 mm from a cube folded with errors of 0.3 mm and 0.7 degrees a face is off by less than 0.3 mm
-// RMS after 'markers calibrate' with 100 pictures; 600 mm away at 1280 x 720, in orientations of all kinds.
+// Issue 19: the tip 150 mm from a cube folded with errors of 0.3 mm and 0.7 degrees per face is off by less than 0.3
+// mm RMS after 'markers calibrate' with 100 images, at 600 mm and 1280 x 720, in all kinds of orientation.
 TEST(BodyCalibration, a_tip_150_mm_away_is_found_within_0_3_mm_after_100_pictures) {
   const MarkerBody nominal = cube_body("needle", 12, 60.0, 150.0);
   Random random(33);
@@ -105,7 +105,7 @@ TEST(BodyCalibration, a_tip_150_mm_away_is_found_within_0_3_mm_after_100_picture
     pose.translation() = Vec3(random.uniform(-90.0, 90.0), 20.0, 600.0);
     FootageLook look;
     look.samples = 4;
-    const GreyPicture picture = render_picture(camera, look, {{&folded, pose}}, 900U + static_cast<unsigned>(n));
+    const GreyImage picture = render_picture(camera, look, {{&folded, pose}}, 900U + static_cast<unsigned>(n));
     const auto add = [&](Tracker& tracker, Errors& errors, bool only_ok) {
       const TrackedPose tracked = tracker.track(picture, n / 30.0).front();
       const bool ok = tracked.status == TrackingStatus::ok;

@@ -1,4 +1,4 @@
-// Cameras, bodies, pictures and sheets as files.
+// Cameras, bodies, images and sheets as files.
 #include "core/files.h"
 
 #include <cmath>
@@ -80,16 +80,16 @@ TEST_F(TrackingFiles, what_is_wrong_with_a_file_is_said_by_field) {
   EXPECT_THAT(refusal([&] { read_camera(written("b.json", "{\"focus\": 5}")); }), HasSubstr("\"focus\" is unknown"));
   EXPECT_THAT(refusal([&] { read_camera(written("c.json", "nothing")); }), HasSubstr("not a JSON object"));
   EXPECT_THAT(refusal([&] { read_points(written("p.csv", "name,x,y,z\na,1,2,3\nb,1,2\n")); }), HasSubstr("line 3"));
-  EXPECT_THAT(refusal([&] { decode_jpeg_grey("no picture", "x.jpg"); }), HasSubstr("x.jpg: not a sound JPEG"));
+  EXPECT_THAT(refusal([&] { decode_jpeg_grey("no picture", "x.jpg"); }), HasSubstr("x.jpg: not a valid JPEG"));
 }
 
 TEST_F(TrackingFiles, a_jpeg_keeps_its_grey_levels_and_a_cut_one_is_refused) {
-  GreyPicture picture(64, 48);
+  GreyImage picture(64, 48);
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) picture.at(x, y) = static_cast<std::uint8_t>(2 * x + y);
   }
   const std::string bytes = encode_jpeg(picture, 95);
-  const GreyPicture back = decode_jpeg_grey(bytes, "x.jpg");
+  const GreyImage back = decode_jpeg_grey(bytes, "x.jpg");
   ASSERT_EQ(back.width, 64);
   for (std::size_t i = 0; i < back.pixels.size(); ++i) EXPECT_NEAR(back.pixels[i], picture.pixels[i], 4);
   EXPECT_THROW(decode_jpeg_grey(std::string_view(bytes).substr(0, bytes.size() / 2), "x.jpg"), InputError);

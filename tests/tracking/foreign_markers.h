@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "tracking/grey_picture.h"
+#include "tracking/grey_image.h"
 #include "tracking/marker_body.h"
 
 namespace bodkin::tracking {
 
-// Markers by the cells across their pattern: of other dictionaries of OpenCV (5, 6 or 7: the first six of
-// DICT_5X5_50, DICT_6X6_50 and DICT_7X7_50), or of Bodkin's own, to compare (4: 0 to 5). They are in two rows of
+// Markers by the number of cells across their pattern: of other dictionaries of OpenCV (5, 6 or 7: the first six of
+// DICT_5X5_50, DICT_6X6_50 and DICT_7X7_50), or of Bodkin's own, for comparison (4: 0 to 5). They lie in two rows of
 // three on white sheets, upright and sharp, as on a printed page. Each has a black rim one cell wide. `width` and
-// `height`: of the picture, pixels, 400 x 300 at least.
-inline GreyPicture foreign_markers(int cells, int width, int height) {
+// `height`: of the image, pixels, at least 400 x 300.
+inline GreyImage foreign_markers(int cells, int width, int height) {
   static const std::vector<std::vector<std::string>> patterns = {
       {"1010001011011001010111100", "0000111000000011011100110", "1101011110000111011011101",
        "1000000111001010111110111", "1101011101011010100100100", "1110101000000100000101101"},
@@ -23,7 +23,7 @@ inline GreyPicture foreign_markers(int cells, int width, int height) {
       {"1101110101011100011011001010010111001010000010101", "1110010000011011111100010011111001000000101010110",
        "1001111010101010001010111010110001011101001001111", "1010011001100111000001011011011111101001010011000",
        "1100011010111100011110110001001100110010010101100", "0101100010000000000101000010001101011001111011100"}};
-  GreyPicture picture(width, height);
+  GreyImage picture(width, height);
   for (std::uint8_t& pixel : picture.pixels) pixel = 235;
   const int pixels = 100 / (cells + 2);  // of a cell
   for (int n = 0; n < 6; ++n) {

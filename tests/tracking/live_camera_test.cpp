@@ -1,4 +1,4 @@
-// A camera whose driver is replaced: it keeps the rules of Video4Linux 2 and remembers what it was set to.
+// A camera with a replaced driver, which keeps the rules of Video4Linux 2 and stores its settings.
 #include "tracking/live_camera.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// What the test looks at after the camera has taken its device.
+// The state that the test inspects after the camera has taken its device.
 struct CameraState {
   std::map<unsigned, int> controls = {{V4L2_CID_FOCUS_AUTO, 1},
                                       {V4L2_CID_FOCUS_ABSOLUTE, 30},
@@ -31,21 +31,21 @@ struct CameraState {
                                       {V4L2_CID_AUTO_WHITE_BALANCE, 1},
                                       {V4L2_CID_WHITE_BALANCE_TEMPERATURE, 4600},
                                       {V4L2_CID_SHARPNESS, 128}};
-  std::set<unsigned> stuck;  // controls that take no value
+  std::set<unsigned> stuck;  // controls that accept no value
   int open_refusal = 0, buffer_refusal = 0;
-  int busy_tries = 0;  // tries for which another program still has it
+  int busy_tries = 0;  // tries for which another program still uses it
   bool captures = true, compressed = true;
   int width = 640, height = 480;
   bool streaming = false, is_open = false;
   std::size_t mapped = 0;
-  // Pictures that wait for somebody, the oldest first, and when they were taken.
+  // Images waiting to be read, oldest first, with their capture times.
   struct Waiting {
     std::string bytes;
     long milliseconds;  // NOLINT: the kernel's
     bool faulty = false;
   };
   std::vector<Waiting> waiting;
-  int wait_result = ETIME;  // when none waits
+  int wait_result = ETIME;  // when no image waits
 };
 
 class ReplacedDevice : public VideoDevice {
@@ -170,7 +170,7 @@ std::string refusal_of(CameraState& state, const SourceOptions& options) {
 }
 
 std::string picture_of(int level, const CameraState& state) {
-  GreyPicture picture(state.width, state.height);
+  GreyImage picture(state.width, state.height);
   std::fill(picture.pixels.begin(), picture.pixels.end(), static_cast<std::uint8_t>(level));
   return encode_jpeg(picture, 95);
 }
@@ -256,7 +256,7 @@ TEST(LiveCamera, waits_for_a_camera_that_another_program_is_letting_go) {
   state.busy_tries = 2;
   EXPECT_EQ(refusal_of(state, options), "");
   EXPECT_EQ(state.busy_tries, 0);
-  // What patience does not help with is said at once.
+  // Errors that waiting cannot cure are reported at once.
   state.open_refusal = EACCES;
   EXPECT_THAT(refusal_of(state, options), HasSubstr("group video"));
 }

@@ -1,4 +1,4 @@
-// Markers in parts of a picture are those of the whole.
+// Markers found in parts of an image are those of the whole image.
 #include "tracking/marker_search.h"
 
 #include <algorithm>
@@ -11,8 +11,7 @@
 namespace bodkin::tracking {
 namespace {
 
-// Two bodies, each in a box as the tracker makes it; the last box reaches out of the picture, another one holds
-// nothing.
+// Two bodies, each in a box as made by the tracker; another box reaches out of the image and contains nothing.
 TEST(MarkerSearch, finds_in_boxes_the_same_corners_as_in_the_whole_picture) {
   const CameraModel camera = footage_camera(1280, 720);
   const std::vector<MarkerBody> bodies = {board_body("mannequin", 0, 4, 3, 46.0),
@@ -22,7 +21,7 @@ TEST(MarkerSearch, finds_in_boxes_the_same_corners_as_in_the_whole_picture) {
   poses[0].linear() = Eigen::AngleAxisd(0.5, Vec3(1.0, 0.3, 0.0).normalized()).toRotationMatrix();
   poses[1].translation() = Vec3(-150.0, -40.0, 550.0);
   poses[1].linear() = Eigen::AngleAxisd(0.7, Vec3(1.0, 1.0, 0.0).normalized()).toRotationMatrix();
-  const GreyPicture picture = render_picture(camera, {}, {{&bodies[0], poses[0]}, {&bodies[1], poses[1]}}, 11);
+  const GreyImage picture = render_picture(camera, {}, {{&bodies[0], poses[0]}, {&bodies[1], poses[1]}}, 11);
   const std::vector<FoundMarker> whole = search_markers(picture);
   ASSERT_GE(whole.size(), 12U + 2U);
   std::vector<PictureBox> boxes = {{-40, 600, 120, 400}};
@@ -40,7 +39,7 @@ TEST(MarkerSearch, finds_in_boxes_the_same_corners_as_in_the_whole_picture) {
     for (std::size_t corner = 0; corner < 4; ++corner)
       EXPECT_LT((same->corners[corner] - marker.corners[corner]).norm(), 1e-3) << marker.id << ", " << corner;
   }
-  // A marker in two boxes counts once; one in no box not at all.
+  // A marker in two boxes counts once; one in no box is not found.
   boxes.push_back(boxes[2]);
   EXPECT_EQ(search_markers(picture, boxes).size(), whole.size());
   const std::vector<FoundMarker> of_needle = search_markers(picture, {boxes[2]});

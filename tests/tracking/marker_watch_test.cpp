@@ -1,4 +1,4 @@
-// Why bodies are lost: what is said of markers of another dictionary, and of those that are on no body.
+// Why bodies are lost: the reports on markers of another dictionary, and on those that are on no body.
 #include "tracking/marker_watch.h"
 
 #include "tests/tracking/foreign_markers.h"
@@ -12,7 +12,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// A board, a needle and nothing else, and markers that are on neither.
+// A board and a needle, and markers that belong to neither.
 class MarkerWatchTest : public testing::Test {
  protected:
   MarkerWatchTest() {
@@ -22,7 +22,7 @@ class MarkerWatchTest : public testing::Test {
     needle_pose_.translation() = Vec3(-90.0, -80.0, 500.0);
     strange_pose_.translation() = Vec3(120.0, 0.0, 600.0);
   }
-  std::string warning_after(const GreyPicture& picture, int pictures) {
+  std::string warning_after(const GreyImage& picture, int pictures) {
     Tracker tracker(camera_, {board_, needle_});
     MarkerWatch watch("film.mkv");
     for (int n = 0; n < pictures; ++n) {
@@ -46,7 +46,7 @@ TEST_F(MarkerWatchTest, markers_of_another_dictionary_are_none_and_that_is_said)
   EXPECT_EQ(search_markers(foreign_markers(4, camera_.width, camera_.height)).size(), 6U)
       << "so drawn, ours are found";
   for (const int cells : {5, 6, 7}) {
-    const GreyPicture picture = foreign_markers(cells, camera_.width, camera_.height);
+    const GreyImage picture = foreign_markers(cells, camera_.width, camera_.height);
     Tracker tracker(camera_, {board_, needle_});
     for (const TrackedPose& pose : tracker.track(picture, 0.0)) EXPECT_EQ(pose.status, TrackingStatus::lost) << cells;
     EXPECT_TRUE(tracker.markers().empty()) << cells;
@@ -58,36 +58,36 @@ TEST_F(MarkerWatchTest, markers_of_another_dictionary_are_none_and_that_is_said)
 }
 
 TEST_F(MarkerWatchTest, markers_that_are_on_no_body_are_named) {
-  const GreyPicture alone = render_picture(camera_, {}, {{&strange_, strange_pose_}}, 3);
+  const GreyImage alone = render_picture(camera_, {}, {{&strange_, strange_pose_}}, 3);
   EXPECT_THAT(warning_after(alone, 30),
               HasSubstr("markers are seen that are on no body (22, 23, 24, 25, 26, 27, ...)"));
   EXPECT_EQ(warning_after(alone, 1), "");
   EXPECT_THAT(of_all_, HasSubstr("are on no body (22, 23"));
   EXPECT_FALSE(any_body_);
-  // The mannequin is seen, but what the needle should carry is not.
-  const GreyPicture beside = render_picture(camera_, {}, {{&board_, board_pose_}, {&strange_, strange_pose_}}, 4);
+  // The mannequin is seen, but not the needle's markers.
+  const GreyImage beside = render_picture(camera_, {}, {{&board_, board_pose_}, {&strange_, strange_pose_}}, 4);
   EXPECT_THAT(warning_after(beside, 30), HasSubstr("are on no body (22, 23"));
   EXPECT_THAT(of_all_, HasSubstr("are on no body (22, 23"));
   EXPECT_TRUE(any_body_);
 }
 
 TEST_F(MarkerWatchTest, nothing_is_said_of_others_where_every_body_is_seen_nor_of_a_needle_that_is_hidden) {
-  const GreyPicture all =
+  const GreyImage all =
       render_picture(camera_, {}, {{&board_, board_pose_}, {&needle_, needle_pose_}, {&strange_, strange_pose_}}, 5);
   EXPECT_EQ(warning_after(all, 30), "");
   EXPECT_EQ(of_all_, "");
-  const GreyPicture hidden = render_picture(camera_, {}, {{&board_, board_pose_}}, 6);
+  const GreyImage hidden = render_picture(camera_, {}, {{&board_, board_pose_}}, 6);
   EXPECT_EQ(warning_after(hidden, 30), "");
   EXPECT_EQ(of_all_, "");
   EXPECT_TRUE(any_body_);
 }
 
 TEST_F(MarkerWatchTest, what_has_passed_is_not_said_any_more) {
-  const GreyPicture empty(camera_.width, camera_.height);
-  const GreyPicture both = render_picture(camera_, {}, {{&board_, board_pose_}, {&needle_, needle_pose_}}, 7);
+  const GreyImage empty(camera_.width, camera_.height);
+  const GreyImage both = render_picture(camera_, {}, {{&board_, board_pose_}, {&needle_, needle_pose_}}, 7);
   Tracker tracker(camera_, {board_, needle_});
   MarkerWatch watch("/dev/video0");
-  const auto show = [&](const GreyPicture& picture) {
+  const auto show = [&](const GreyImage& picture) {
     tracker.track(picture, 0.0);
     watch.add(tracker, picture);
   };

@@ -9,8 +9,8 @@
 
 namespace bodkin::tracking {
 
-// The middle of the ring around a needle's tip, pixels: where most of a circle of 6 pixels radius is white or red and
-// differs from the same picture drawn without the needle. It is searched within 40 pixels of `near`.
+// The centre of the ring around a needle's tip, pixels: where most of a circle of 6 pixels radius is white or red and
+// differs from the same image drawn without the needle. Searched within 40 pixels of `near`.
 inline Eigen::Vector2d needle_ring(const imaging::ImageRgb& with, const imaging::ImageRgb& without,
                                    const Eigen::Vector2d& near) {
   constexpr int samples = 60, reach = 40;  // of the circle; pixels

@@ -1,4 +1,4 @@
-// Folders, videos and what is neither.
+// Folders, videos, and paths that are neither.
 #include "tracking/picture_source.h"
 
 #include <cstdlib>
@@ -68,7 +68,7 @@ TEST_F(PictureSources, a_video_whose_rate_varies_keeps_its_times_and_says_so) {
   VideoWriter writer(even, 64, 48, 25.0);
   for (int n = 0; n < 8; ++n) writer.add(plain(20 * n + 20));
   writer.finish();
-  // From the fifth picture on, three times as slow.
+  // From the fifth image on, at a third of the rate.
   const std::string command = "ffmpeg -v error -y -i '" + even.string() +
                               "' -vf \"setpts='if(lt(N,4),N,4+3*(N-4))*0.04/TB'\" -vsync passthrough -c:v mjpeg '" +
                               uneven.string() + "'";
@@ -101,7 +101,7 @@ TEST_F(PictureSources, what_is_no_source_is_refused) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("no such camera"));
   }
-  EXPECT_THROW(open_source(folder_.string()), InputError);  // without pictures
+  EXPECT_THROW(open_source(folder_.string()), InputError);  // without images
 }
 
 TrackedPose resting(TrackingStatus status, double x) {
@@ -121,12 +121,12 @@ TEST(LensWatch, speaks_when_no_resting_body_fits_and_is_silent_else) {
       EXPECT_EQ(moved.warning(), "") << n;
     }
   }
-  EXPECT_THAT(moved.warning(), HasSubstr("calibrate it anew"));
+  EXPECT_THAT(moved.warning(), HasSubstr("calibrate it again"));
   EXPECT_EQ(bent.warning(), "");
   EXPECT_EQ(moving.warning(), "");
 }
 
-// Through a lens whose focal length is another by some percent, a cube looks as it should and a board does not.
+// With a focal length wrong by some per cent, a cube fits and a board does not.
 TEST(LensWatch, names_a_board_that_does_not_fit_while_cubes_do) {
   CameraModel camera;
   camera.width = 640;
@@ -149,7 +149,7 @@ TEST(LensWatch, names_a_board_that_does_not_fit_while_cubes_do) {
     }
     placed.push_back(one);
   }
-  const GreyPicture picture = render_picture(camera, {}, placed, 5);
+  const GreyImage picture = render_picture(camera, {}, placed, 5);
   for (const double share : {1.0, 0.9, 0.99, 1.01, 1.1}) {
     CameraModel other = camera;
     other.fx *= share;
@@ -165,8 +165,9 @@ TEST(LensWatch, names_a_board_that_does_not_fit_while_cubes_do) {
   }
 }
 
-// A share of 1 % is noticed, and the right lens is not; also when the board lay elsewhere meanwhile, as long as most
-// pictures show it tilted. What they say of it is known from the estimates of the pictures of the test above.
+// An error of 1 % is noticed, and the correct lens causes no warning; also when the board was moved meanwhile, as
+// long as it is tilted in at least half of the images. The deviations are those estimated from the images of the
+// test above.
 TEST(LensWatch, notices_a_focal_length_that_is_another_by_a_percent) {
   const auto warning_of = [](double share, double deviation, int frontal) {
     Random random(3);
@@ -174,7 +175,7 @@ TEST(LensWatch, notices_a_focal_length_that_is_another_by_a_percent) {
     for (int n = 0; n < 60; ++n) {
       TrackedPose board = resting(TrackingStatus::ok, n < 20 ? 0.0 : 40.0);
       board.markers = 9;
-      // Of a board that is seen from the front nothing is known.
+      // A board seen from the front gives no information.
       const double known = n % 10 < frontal ? 0.09 : deviation;
       board.misfit.focal = {n % 10 < frontal ? 0.0 : share + deviation * random.normal(), known};
       watch.add({board, resting(TrackingStatus::ok, 90.0)});

@@ -1,4 +1,4 @@
-// Poses that are made from a known tip, so that the answer is known.
+// Poses computed from a known tip, so that the answer is known.
 #include "tracking/pivot_calibration.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const Vec3 true_tip(2.0, -3.0, 148.0), true_pivot(40.0, 60.0, 520.0);
 
-// A body that is tilted in all directions about its tip, `cone` degrees to each side, with noise in its place.
+// A body tilted in all directions about its tip, `cone` degrees to each side, with noise in its position.
 std::vector<TimedPose> pivoted(int count, double cone, double noise, double seconds = 20.0) {
   Random random(7);
   std::vector<TimedPose> poses;
@@ -47,7 +47,7 @@ TEST(PivotCalibration, finds_the_tip_exactly_without_noise) {
 
 TEST(PivotCalibration, its_residual_is_the_noise_and_its_deviation_the_error) {
   const PivotCalibration made = calibrate_pivot(pivoted(400, 30.0, 0.1));
-  // A length of three normal numbers: RMS sqrt(3), mean sqrt(8 / pi) deviations.
+  // The length of a vector of three normal numbers: RMS sqrt(3), mean sqrt(8 / pi) standard deviations.
   EXPECT_NEAR(made.rms, 0.1 * std::sqrt(3.0), 0.015);
   EXPECT_NEAR(made.mean, 0.1 * std::sqrt(8.0 / 3.14159265), 0.015);
   EXPECT_LT((made.tip - true_tip).norm(), 3.0 * made.deviation);
@@ -64,7 +64,7 @@ TEST(PivotCalibration, a_slipped_tip_and_wrong_poses_are_left_out) {
 }
 
 TEST(PivotCalibration, fast_poses_do_not_count) {
-  // The same tilts in two seconds are faster than 90 degrees/s in most places.
+  // The same tilts in two seconds are mostly faster than 90 degrees/s.
   const std::vector<TimedPose> poses = pivoted(300, 30.0, 0.05, 2.0);
   try {
     const PivotCalibration made = calibrate_pivot(poses);
@@ -111,7 +111,7 @@ TEST(SpinCalibration, finds_the_axis) {
     EXPECT_LT(calibrate_spin(spun(turned, 0.0)).axis.cross(axis).norm(), 1e-6) << turned;
     const SpinCalibration noisy = calibrate_spin(spun(turned, 0.1 * degree));
     EXPECT_LT(noisy.axis.cross(axis).norm(), 0.05 * degree) << turned;
-    // Two of the three jitters tilt the axis.
+    // Two of the three angular errors tilt the axis.
     EXPECT_NEAR(noisy.rms, 0.1 * std::sqrt(2.0), 0.03) << turned;
     EXPECT_LT(noisy.mean, noisy.rms) << turned;
   }

@@ -1,4 +1,4 @@
-// What registration is worth, by as many trials as docs/augmented-reality.md says; each row is printed.
+// The accuracy of registration, by the number of trials stated in docs/augmented-reality.md; each row is printed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,7 +34,7 @@ Similarity place_in_room() {
   return place;
 }
 
-// A layout of points that do not lie on a line.
+// Points that do not lie on a line.
 std::vector<Vec3> layout(std::size_t count) {
   const std::vector<Vec3> all = {{0.0, 0.0, 0.0},    {120.0, 5.0, 10.0}, {30.0, 90.0, -15.0},  {80.0, 60.0, 40.0},
                                  {10.0, 50.0, 55.0}, {100., -30.0, 25.}, {-40.0, -20.0, 30.0}, {60.0, 20.0, -50.0}};
@@ -54,7 +54,7 @@ struct Mean {
 
 struct Row {
   Mean fre, tre;        // squares, mm^2
-  double within = 0.0;  // share of the trials whose interval holds the RMS of TRE
+  double within = 0.0;  // share of the trials whose interval contains the RMS of TRE
   double below = 0.0;   // share of the trials whose own TRE is below the upper end of their interval
 };
 
@@ -80,7 +80,7 @@ Row row_of(const std::vector<Vec3>& points, const Vec3& target, bool scaled, std
   return row;
 }
 
-// FRE^2 = FLE^2 (1 - 6/(3k)), 7 with scale; TRE by Fitzpatrick, West and Maurer 1998, with the term of the scale.
+// FRE^2 = FLE^2 (1 - 6/(3k)), with scale 7 for 6; TRE by Fitzpatrick, West and Maurer 1998, with the term of scale.
 TEST(RegistrationAccuracy, fre_and_tre_of_four_to_eight_points_are_the_closed_forms) {
   const Vec3 target(60.0, 40.0, 120.0);
   for (std::size_t count = 4; count <= 8; ++count) {
@@ -121,7 +121,7 @@ TEST(RegistrationAccuracy, points_nearly_on_a_line_keep_within_5_percent_with_an
   }
 }
 
-// One camera sees depth six times worse than the rest.
+// One camera measures depth six times worse than the other coordinates.
 TEST(RegistrationAccuracy, unequal_errors_are_propagated_within_5_percent) {
   const Vec3 target(60.0, 40.0, 120.0), deviation(0.1, 0.1, 0.6);
   const Mat3 covariance = deviation.cwiseAbs2().asDiagonal();
@@ -129,7 +129,7 @@ TEST(RegistrationAccuracy, unequal_errors_are_propagated_within_5_percent) {
     const std::vector<Vec3> points = layout(count);
     Random random(300U + count);
     const Similarity truth = place_in_room();
-    const std::vector<Mat3> told(count, 4.0 * covariance);  // right but for a factor
+    const std::vector<Mat3> told(count, 4.0 * covariance);  // right up to a factor
     Mean tre;
     std::vector<ErrorInterval> intervals;
     Registration last;
@@ -156,7 +156,7 @@ TEST(RegistrationAccuracy, unequal_errors_are_propagated_within_5_percent) {
   }
 }
 
-// 4 to 8 points without names, up to two of which are missing as long as three are left, and one of another thing.
+// 4 to 8 points without names, up to two of them missing as long as three are left, and one point of another object.
 TEST(RegistrationAccuracy, unlabelled_points_are_paired_rightly_or_called_ambiguous) {
   constexpr int layouts = 1000;
   Random random(400);
@@ -194,7 +194,7 @@ TEST(RegistrationAccuracy, unlabelled_points_are_paired_rightly_or_called_ambigu
   EXPECT_LT(times.back(), 10.0);
 }
 
-// Balls of 2 mm radius in foam, with voxels that they fill in part.
+// Balls of 2 mm radius in foam, with partly filled voxels.
 TEST(BeadCentres, are_found_within_a_tenth_of_a_millimetre) {
   for (const Vec3& spacing : {Vec3(0.6, 0.6, 0.6), Vec3(0.98, 0.98, 1.25), Vec3(1.25, 1.25, 1.25)}) {
     constexpr int across = 4;  // beads along each side

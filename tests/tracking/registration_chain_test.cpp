@@ -1,4 +1,4 @@
-// Two registrations, one after the other, against trials.
+// Two registrations in sequence, tested by trials.
 #include "tracking/registration_chain.h"
 
 #include <cmath>
@@ -26,7 +26,7 @@ Similarity turned_about(double angle, const Vec3& axis, const Vec3& shift, doubl
   return place;
 }
 
-// `points` registered to where they truly are, but for an error of `deviation` mm along each axis.
+// `points` registered to their true places with an error of `deviation` mm along each axis.
 Registration registered(const Similarity& truth, const std::vector<Vec3>& points, double deviation, bool with_scale,
                         Random& random) {
   std::vector<Vec3> seen;
@@ -66,7 +66,7 @@ TEST(RegistrationChain, the_error_at_the_target_is_that_of_both) {
   }
 }
 
-// Three placements, put together from either end.
+// Three placements, composed from either end.
 TEST(RegistrationChain, is_the_same_from_either_end) {
   Random random(63);
   Registration first = registered(turned_about(0.7, Vec3(1.0, -2.0, 0.5), Vec3(-10.0, 5.0, 180.0), 1.0), of_patient,

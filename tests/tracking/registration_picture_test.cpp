@@ -22,7 +22,7 @@ TEST(RegistrationPicture, errors_are_magnified_by_round_numbers_and_never_made_s
   EXPECT_EQ(error_magnification(200.0, 0.0), 1000.0);
 }
 
-// Points of one plane have no extent along y: their panel is as high as the other and not a line.
+// Points of one plane have no extent along y: their panel is as high as the other one, not a line.
 TEST(RegistrationPicture, shows_flat_and_exact_points) {
   const Registration exact = register_points(flat_points, flat_points, false);
   const imaging::Canvas picture = registration_picture(exact, flat_points, flat_points, {"a", "b", "c", "d"});

@@ -88,7 +88,7 @@ TEST(Registration, exchanged_names_are_noticed) {
   EXPECT_TRUE(swapped_pairs(fiducials, fiducials, false).empty());
 }
 
-// Points located with 1 mm RMS: what is exchanged is named, what is sound is left in peace.
+// Points located with 1 mm RMS: exchanged names are reported, correct ones are not.
 TEST(Registration, exchanged_names_are_noticed_in_noise_and_none_are_made_up) {
   constexpr int trials = 2000;
   constexpr double deviation = 0.58;  // mm along each axis
@@ -117,7 +117,7 @@ TEST(Registration, exchanged_names_are_noticed_in_noise_and_none_are_made_up) {
   }
 }
 
-// Noise alone pretends a scale about once in a thousand registrations; a print that is 1 % too large is noticed.
+// Noise alone suggests a scale about once in a thousand registrations; a print that is 1 % too large is noticed.
 TEST(Registration, a_print_that_is_not_to_scale_is_noticed) {
   Random random(17);
   const auto noise = [&](double size) {

@@ -20,7 +20,7 @@ Registration predicted() {
   return registration;
 }
 
-// The target lies 100 mm behind the body's middle, so a body at 300 mm shows it at 400.
+// The target lies 100 mm behind the body's centre, so with the body at 300 mm it is at 400.
 TEST(ShownTargetError, is_the_focal_length_over_the_depth) {
   CameraModel camera;
   camera.fx = 990.0;

@@ -1,4 +1,4 @@
-// A teaching station's pictures by their files, and its tools in the patient.
+// The images of a teaching station, from files, and its tools in the patient's frame.
 #include "tracking/station_footage.h"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ Pose any_pose(Random& random) {
   return pose;
 }
 
-// A point of the patient goes the whole way round: patient, mannequin, camera, body and back.
+// A point of the patient passes through all frames: patient, mannequin, camera, body and back.
 TEST(ToolInPatient, has_its_tip_and_axis_where_the_camera_sees_them) {
   Random random(11);
   const MarkerBody body = cube_body("needle", 12, 60.0, 150.0);

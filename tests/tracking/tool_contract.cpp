@@ -1,4 +1,4 @@
-// A tool before a camera, under driver_contract.cpp.
+// A tool in front of a camera, tested by driver_contract.cpp.
 #include <filesystem>
 
 #include "tests/haptics/driver_contract.h"
@@ -30,7 +30,7 @@ std::vector<ContractSubject> contract_subjects() {
            .driver = &tracking::tool_driver(),
            .arrange = arrange,
            .absent_identity = "/no/such/footage",
-           .told_of_absent = {"/no/such/footage"}}};
+           .absent_message = {"/no/such/footage"}}};
 }
 
 }  // namespace bodkin

@@ -1,4 +1,4 @@
-// A real tool as the hand of a session: where it is, and what is refused.
+// A real tool as the hand of a session: its pose, and refused input.
 #include "tracking/tool_driver.h"
 
 #include <cstdlib>
@@ -70,7 +70,7 @@ class ToolDriver : public testing::Test {
   static inline Footage footage_;
 };
 
-// The operator stands at the feet of a prone patient: right is -x, away is z, up is y.
+// The operator stands at the feet of a prone patient: right is -x, forwards is z, up is y.
 Vec3 in_patient(const Vec3& hand, const Vec3& middle) {
   return middle + Vec3(-hand.x(), hand.z(), hand.y());
 }
@@ -113,7 +113,7 @@ TEST_F(ToolDriver, follows_what_a_window_tracks_already) {
 }
 
 TEST_F(ToolDriver, says_what_is_to_be_known_of_its_pictures_while_the_tool_is_seen) {
-  // From the third picture on, four times as slow.
+  // From the third image on, at a quarter of the rate.
   const fs::path video = folder_ / "uneven.mkv";
   const std::string command = fmt::format(
       "ffmpeg -v error -framerate 10 -i '{}/frame_%05d.png' -vf \"setpts='if(lt(N,2),N,2+4*(N-2))*0.1/TB'\" "
@@ -138,15 +138,15 @@ TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
   EXPECT_THAT(refusal(source(), "entry_mm=1,2"), HasSubstr("entry_mm"));
   EXPECT_THAT(refusal("/dev/no_such_camera", fmt::format("camera={}/camera.json", source())),
               HasSubstr("/dev/no_such_camera"));
-  // Pictures without a marker of ours.
+  // Images without any of Bodkin's markers.
   const fs::path blank = folder_ / "blank";
   fs::create_directories(blank);
   for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, blank / file);
-  write_file(blank / "frame_00000.png", imaging::encode_png(colour_of(GreyPicture(800, 450))));
+  write_file(blank / "frame_00000.png", imaging::encode_png(colour_of(GreyImage(800, 450))));
   EXPECT_THAT(refusal(blank.string(), ""), AllOf(HasSubstr("the needle was not seen in 1 pictures"),
                                                  HasSubstr("no marker of the dictionary 4x4_50")));
-  // Markers of another dictionary, and those of a board that no body carries.
-  const auto folder_with = [](const char* name, const GreyPicture& shown) {
+  // Markers of another dictionary, and those of a board that belongs to no body.
+  const auto folder_with = [](const char* name, const GreyImage& shown) {
     const fs::path made = folder_ / name;
     fs::create_directories(made);
     for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, made / file);
@@ -161,14 +161,14 @@ TEST_F(ToolDriver, says_in_one_sentence_what_is_wrong) {
   const CameraModel camera = read_camera(folder_ / "still" / "camera.json");
   EXPECT_THAT(refusal(folder_with("board_alone", render_picture(camera, {}, {{&board, before_camera}}, 3)), ""),
               HasSubstr("markers are seen that are on no body (22, 23, 24, 25, 26, 27, ...)"));
-  // A picture that the camera has mirrored is named as such.
+  // An image mirrored by the camera is reported as mirrored.
   const fs::path mirrored = folder_ / "mirrored";
   fs::create_directories(mirrored);
   for (const char* file : {"camera.json", "bodies.json"}) fs::copy_file(folder_ / "still" / file, mirrored / file);
   const imaging::ImageRgb picture = tracking::mirrored(read_picture(folder_ / "still" / footage_.frames[0].file));
   write_file(mirrored / "frame_00000.png", imaging::encode_png(picture));
   EXPECT_THAT(refusal(mirrored.string(), ""), HasSubstr("mirrored left to right"));
-  // Some markers are the mirror images of others: none of these may pass for a body.
+  // Some markers are the mirror images of others: none of them may be taken for a body.
   Tracker tracker(read_camera(mirrored / "camera.json"), read_bodies(mirrored / "bodies.json"));
   for (const TrackedPose& pose : tracker.track(grey_of(picture), 0.0)) EXPECT_EQ(pose.status, TrackingStatus::lost);
 }

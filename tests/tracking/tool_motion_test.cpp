@@ -1,4 +1,4 @@
-// A tracked tool between the pictures, and where it is not seen.
+// A tracked tool between images, and while it is not seen.
 #include "tracking/tool_motion.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double tick = 0.001;  // s
 
-// A mannequin and a needle whose tip is so far along x before a camera; the patient's frame is the mannequin's.
+// A mannequin and a needle in front of a camera, the tip at a given x; the patient's frame is the mannequin's.
 class Seen {
  public:
   explicit Seen(bool live)
@@ -51,16 +51,16 @@ TEST(ToolSightings, are_where_the_overlay_draws_the_tool_and_name_what_is_not_se
   Seen seen(true);
   const auto& sightings = seen.sightings;
   std::vector<TrackedPose> poses = Seen::poses(12.0);
-  poses[0].camera_from_body.translation().x() = 0.4;  // a picture's noise, which the mean over the rest has not
+  poses[0].camera_from_body.translation().x() = 0.4;  // noise of one image, absent from the mean at rest
   const ToolSighting found = sightings.sighting(1, poses, 3.0);
-  EXPECT_EQ(found.unseen, Unseen::no);
+  EXPECT_EQ(found.unseen, UnknownPlace::no);
   const Pose expected = tool_in_patient(sightings.bodies()[1], poses[1].camera_from_body, poses[0].filtered, {});
   EXPECT_LT((found.pose.matrix() - expected.matrix()).norm(), 1e-12);
   using enum TrackingStatus;
-  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, lost), 0).unseen, Unseen::tool_lost);
-  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, uncertain), 0).unseen, Unseen::tool_uncertain);
-  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, ok, lost), 0).unseen, Unseen::mannequin_lost);
-  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, lost, uncertain), 0).unseen, Unseen::mannequin_uncertain);
+  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, lost), 0).unseen, UnknownPlace::tool_lost);
+  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, uncertain), 0).unseen, UnknownPlace::tool_uncertain);
+  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, ok, lost), 0).unseen, UnknownPlace::mannequin_lost);
+  EXPECT_EQ(sightings.sighting(1, Seen::poses(0, lost, uncertain), 0).unseen, UnknownPlace::mannequin_uncertain);
 }
 
 TEST(ToolSightings, every_follower_knows_what_is_to_be_known_of_the_pictures) {
@@ -126,7 +126,7 @@ TEST(ToolMotion, footage_that_is_tracked_slowly_is_waited_for_and_loses_nothing)
 TEST(ToolMotion, a_needle_that_is_not_seen_rests_at_its_last_place_and_is_caught_up_with) {
   for (const TrackingStatus bad : {TrackingStatus::lost, TrackingStatus::uncertain}) {
     Seen seen(false);
-    // Away from 0.1 s to 0.3 s; meanwhile it goes 30 mm on.
+    // Hidden from 0.1 s to 0.3 s; meanwhile it moves 30 mm.
     for (int n = 0; n <= 20; ++n) {
       const double time = 0.05 * n;
       const bool hidden = n > 2 && n < 6;
@@ -150,7 +150,7 @@ TEST(ToolMotion, a_needle_that_is_not_seen_rests_at_its_last_place_and_is_caught
       EXPECT_LE(x - before, 300.0 * tick + 1e-9) << time;
       before = x;
     }
-    // The gap, and 20 mm at 300 mm/s after a needle that goes on at 100 mm/s.
+    // The gap, and 20 mm at 300 mm/s behind a needle that continues at 100 mm/s.
     EXPECT_NEAR(unseen, 0.2 + 0.1, 0.01);
   }
 }

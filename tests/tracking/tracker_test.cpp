@@ -1,4 +1,4 @@
-// Marker bodies in rendered pictures whose truth is known.
+// Marker bodies in rendered images with known poses.
 #include "tracking/tracker.h"
 
 #include <cmath>
@@ -30,8 +30,8 @@ double tip_error(const TrackedPose& pose, const MarkerBody& body, const Pose& tr
   return (pose.camera_from_body * body.tip - truth * body.tip).norm();
 }
 
-// The limits of the whole measurement (bench/tracking_accuracy) are those of RMS over thousands of pictures; here a
-// few pictures must keep well below the error of corners alone, which is 3 to 7 mm.
+// The limits of the whole measurement (bench/tracking_accuracy) are RMS over thousands of images; here a few images
+// must stay well below the error of corners alone, which is 3 to 7 mm.
 TEST(Tracker, a_needle_150_mm_from_its_markers_is_found_within_tenths_of_a_millimetre) {
   const CameraModel camera = footage_camera(640, 480);
   const std::vector<MarkerBody> bodies = {cube_body("needle", 12, 60.0, 150.0)};
@@ -41,7 +41,7 @@ TEST(Tracker, a_needle_150_mm_from_its_markers_is_found_within_tenths_of_a_milli
   constexpr int pictures = 8;
   for (int n = 0; n < pictures; ++n) {
     const Pose truth = needle_before_camera(random, 600.0);
-    const GreyPicture picture = render_picture(camera, {}, {{bodies.data(), truth}}, 100U + static_cast<unsigned>(n));
+    const GreyImage picture = render_picture(camera, {}, {{bodies.data(), truth}}, 100U + static_cast<unsigned>(n));
     const TrackedPose pose = tracker.track(picture, n / 30.0).front();
     ASSERT_EQ(pose.status, TrackingStatus::ok) << n;
     EXPECT_EQ(pose.time, n / 30.0);
@@ -69,7 +69,7 @@ TEST(Tracker, without_noise_the_tip_comes_back_almost_exactly) {
   EXPECT_LT(tip_error(pose, bodies[0], truth), 0.06);
 }
 
-// Issue 19: noise at rest under 0.1 mm at 1280 x 720, 600 mm away: of a tip about its mean.
+// Issue 19: noise of a resting tip about its mean under 0.1 mm at 1280 x 720, 600 mm away.
 TEST(Tracker, at_rest_a_tip_150_mm_away_scatters_by_less_than_a_tenth_of_a_millimetre) {
   const CameraModel camera = footage_camera(1280, 720);
   const std::vector<MarkerBody> bodies = {cube_body("needle", 12, 60.0, 150.0)};
@@ -82,8 +82,7 @@ TEST(Tracker, at_rest_a_tip_150_mm_away_scatters_by_less_than_a_tenth_of_a_milli
   Vec3 sum = Vec3::Zero();
   constexpr int pictures = 40;
   for (int n = 0; n < pictures; ++n) {
-    const GreyPicture picture =
-        render_picture(camera, look, {{bodies.data(), truth}}, 500U + static_cast<unsigned>(n));
+    const GreyImage picture = render_picture(camera, look, {{bodies.data(), truth}}, 500U + static_cast<unsigned>(n));
     const TrackedPose pose = tracker.track(picture, n / 30.0).front();
     ASSERT_EQ(pose.status, TrackingStatus::ok) << n;
     tips.emplace_back(pose.camera_from_body * bodies[0].tip);
@@ -110,7 +109,7 @@ TEST(Tracker, what_the_model_does_not_know_makes_a_pose_uncertain) {
   EXPECT_NE(tracker.track(render_picture(camera, blurred, {moving}, 2), 0.0).front().status, TrackingStatus::ok);
 }
 
-// Also far away or at a slant, where the residual is hardly larger than noise.
+// Also far away or oblique, where the residual is hardly larger than noise.
 TEST(Tracker, a_picture_with_another_tone_curve_blur_or_sharpening_makes_every_pose_uncertain) {
   const CameraModel camera = footage_camera(640, 480);
   const std::vector<MarkerBody> bodies = {cube_body("needle", 12, 60.0, 150.0)};
@@ -132,8 +131,8 @@ TEST(Tracker, a_picture_with_another_tone_curve_blur_or_sharpening_makes_every_p
       const double tilt = n % 2 == 0 ? 0.0 : 1.15;
       truth.linear() =
           (Eigen::AngleAxisd(about, Vec3::UnitZ()) * Eigen::AngleAxisd(tilt, Vec3::UnitX())).toRotationMatrix();
-      const GreyPicture picture = render_picture(*cases[which].first, *cases[which].second, {{bodies.data(), truth}},
-                                                 300U + static_cast<unsigned>(n));
+      const GreyImage picture = render_picture(*cases[which].first, *cases[which].second, {{bodies.data(), truth}},
+                                               300U + static_cast<unsigned>(n));
       const TrackedPose pose = tracker.track(picture, n / 30.0).front();
       ok += pose.status == TrackingStatus::ok ? 1 : 0;
       uncertain += pose.status == TrackingStatus::uncertain ? 1 : 0;
@@ -143,7 +142,7 @@ TEST(Tracker, a_picture_with_another_tone_curve_blur_or_sharpening_makes_every_p
   }
 }
 
-// Each number is that by which the camera of the picture differs from the one that it is taken for.
+// Each number is the difference between the camera of the image and the one assumed.
 TEST(Tracker, knows_by_how_much_blur_and_focal_length_of_a_picture_are_others) {
   const CameraModel camera = footage_camera(640, 480);
   const std::vector<MarkerBody> bodies = {board_body("mannequin", 0, 4, 3, 46.0)};
@@ -194,7 +193,7 @@ TEST(Tracker, a_body_that_is_gone_is_lost_and_its_neighbour_is_not) {
 
 TEST(Tracker, a_picture_of_another_size_is_refused) {
   Tracker tracker(footage_camera(640, 480), station_bodies());
-  EXPECT_THROW(tracker.track(GreyPicture(320, 240), 0.0), InputError);
+  EXPECT_THROW(tracker.track(GreyImage(320, 240), 0.0), InputError);
 }
 
 TEST(Tracker, a_mirrored_picture_is_told_from_an_empty_one) {
@@ -202,17 +201,17 @@ TEST(Tracker, a_mirrored_picture_is_told_from_an_empty_one) {
   const MarkerBody board = board_body("mannequin", 0, 2, 2, 52.0);
   Pose place = Pose::Identity();
   place.translation() = Vec3(0.0, 0.0, 450.0);
-  GreyPicture picture = render_picture(camera, {}, {{&board, place}}, 6);
+  GreyImage picture = render_picture(camera, {}, {{&board, place}}, 6);
   EXPECT_FALSE(is_mirrored(picture));
   for (int y = 0; y < picture.height; ++y) {
     const auto row = picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.offset(0, y));
     std::reverse(row, row + picture.width);
   }
   EXPECT_TRUE(is_mirrored(picture));
-  EXPECT_FALSE(is_mirrored(GreyPicture(640, 480)));
+  EXPECT_FALSE(is_mirrored(GreyImage(640, 480)));
 }
 
-// Noise of a pose whose depth is known six times worse than the rest.
+// Noise of a pose whose depth is known six times worse than the other coordinates.
 Vec3 pose_noise(Random& random, double deviation) {
   const double x = random.normal();
   const double y = random.normal();
@@ -246,13 +245,13 @@ TEST(RestFilter, cuts_the_noise_at_rest_by_more_than_two_and_a_half) {
   }
 }
 
-// Across the picture and along the camera's axis, of which less is known.
+// Across the image and along the camera's axis, where the pose is less certain.
 TEST(RestFilter, lags_by_less_than_5_ms_at_100_mm_s) {
   constexpr double speed = 100.0, rate = 30.0;
   for (const double deviation : {0.05, 0.1, 0.3}) {
     for (const Vec3& along : {Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0)}) {
       Random random(2);
-      double behind = 0.0;  // mm, in all
+      double behind = 0.0;  // mm, sum
       int pictures = 0;
       for (int movement = 0; movement < 100; ++movement) {
         RestFilter filter;

@@ -1,4 +1,4 @@
-// An attempt on a patient who breathes is judged in the tissue, and the hand's motion as it was.
+// An attempt on a breathing patient is judged by the tip's place in the tissue, and the hand by its actual motion.
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +15,7 @@ namespace {
 anatomy::CaseDescription breathing_case() {
   anatomy::CaseDescription description;
   anatomy::Breathing breathing;
-  breathing.rate = 15.0;  // 4 s
+  breathing.rate = 15.0;  // a period of 4 s
   breathing.pause = 1;
   breathing.centre = Vec3(0.0, -50.0, 0.0);
   breathing.motion = Vec3(0.0, 0.0, -12.0);
@@ -24,7 +24,7 @@ anatomy::CaseDescription breathing_case() {
   return description;
 }
 
-// Drawn in at 6 s (of periods of 4 s), the lesion lies 12 mm lower, and a needle that goes there is in it.
+// With breath drawn in at 6 s, the lesion lies 12 mm lower, and a needle that goes there is in it.
 TEST(BreathingAttempt, a_needle_that_meets_the_moved_target_is_at_the_target) {
   WrittenSession written;
   written.to(0, 1000, WrittenSession::air);
@@ -37,7 +37,7 @@ TEST(BreathingAttempt, a_needle_that_meets_the_moved_target_is_at_the_target) {
   EXPECT_NEAR((attempt.tip[at] - Vec3(0.0, -50.0, 0.0)).norm(), 0.0, 1e-5);
   EXPECT_EQ(attempt.hand[at], Vec3(0.0, -50.0, -12.0));
   EXPECT_NEAR(attempt.now(Vec3(0.0, -50.0, 0.0), at).z(), -12.0, 1e-5);
-  // The same needle in a patient who holds the breath is 12 mm off.
+  // With the breath held, the same needle is 12 mm off.
   for (simulation::TickRecord& record : written.session().ticks) record.input.other.breath_held = true;
   const Attempt held(written.session(), description);
   EXPECT_EQ(held.tip[at], Vec3(0.0, -50.0, -12.0));
@@ -55,7 +55,7 @@ TEST(BreathingAttempt, ticks_that_were_lost_count) {
   EXPECT_EQ(with_gap.tip[1999], whole.tip[1999]);
 }
 
-// Not one of these numbers is the tissue's: the hand is still.
+// None of these numbers belongs to the tissue: the hand is still.
 TEST(BreathingAttempt, a_hand_that_is_still_rests) {
   WrittenSession written;
   written.to(0, 500, WrittenSession::air).to(30, 1500, {true, tissue::fat, 1.0}).rest(5000, {true, tissue::fat, 1.0});

@@ -67,7 +67,7 @@ TEST_F(CohortTable, has_the_same_bytes_for_any_number_of_threads_and_after_an_in
   run_cohort(settings(3));
   EXPECT_EQ(table(), whole);
 
-  // As if the call had been killed while it wrote its third trainee: two are done, a row broke off.
+  // As if the call had been killed while writing its third trainee: two are complete, one row is cut off.
   std::istringstream lines(whole);
   std::string line, done = "# test\n";
   std::getline(lines, line);
@@ -92,7 +92,7 @@ TEST_F(CohortTable, of_several_parts_has_the_same_bytes_in_any_order_and_after_a
   part.part = {0, 3};
   EXPECT_FALSE(run_cohort(part).is_whole);
   EXPECT_FALSE(fs::exists(folder_ / "cohort.csv"));
-  // One process does what the third part would have done, and all are put together.
+  // One process does the work of the third part, and all parts are merged.
   const CohortResult result = run_cohort(settings());
   EXPECT_TRUE(result.is_whole);
   EXPECT_EQ(result.continued, 3U);  // trainees 2, 0 and 3

@@ -12,7 +12,7 @@ namespace bodkin {
 using namespace bodkin::training;
 namespace {
 
-// With p0 = 0.1, p1 = 0.3 and both errors 0.1 the literature has s = 0.186, h0 = h1 = 1.63.
+// For p0 = 0.1, p1 = 0.3 and both errors 0.1 the literature gives s = 0.186, h0 = h1 = 1.63.
 TEST(Cusum, has_the_limits_that_the_formulas_give) {
   const Cusum cusum({});
   const double p = std::log(3.0), q = std::log(9.0 / 7.0);
@@ -22,7 +22,7 @@ TEST(Cusum, has_the_limits_that_the_formulas_give) {
   EXPECT_NEAR(cusum.upper(), 1.63, 0.005);
 }
 
-// So many successes in a row show mastery: the least n with n s >= h0, here 9.
+// The number of successes in a row that shows mastery: the least n with n s >= h0, here 9.
 TEST(Cusum, crosses_where_theory_says) {
   const Cusum cusum({});
   const std::vector<char> successes(30, 0);
@@ -37,8 +37,8 @@ TEST(Cusum, crosses_where_theory_says) {
   EXPECT_TRUE(bad[2].failing);  // 3 (1 - s) = 2.44 is past 1.63, 2 (1 - s) = 1.627 is not
 }
 
-// A trainee at the acceptable rate is rejected first about as rarely as alpha says, one at the unacceptable rate
-// accepted first as rarely as beta says (Wald: errors are at most alpha/(1 - beta), beta/(1 - alpha)).
+// A trainee at the acceptable rate is rejected first with a probability of about alpha, one at the unacceptable rate
+// is accepted first with about beta (Wald: errors are at most alpha/(1 - beta), beta/(1 - alpha)).
 TEST(Cusum, errs_no_more_often_than_it_promises) {
   const Cusum cusum({});
   for (const bool masters : {true, false}) {

@@ -1,4 +1,4 @@
-// Simulated hands in a deformable body go where they lead the needle, in `bodkin cohort` as in `bodkin run`.
+// Simulated hands in a deformable body move to where they lead the needle, in `bodkin cohort` as in `bodkin run`.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -73,8 +73,8 @@ TEST_F(DeformableAttempt, has_the_ticks_that_bodkin_run_records) {
   EXPECT_GT(count_of(attempt, forces::EventKind::points_taken), 0);
 }
 
-// Novices aim beside the planned line and tilt the needle as they push. The points of that line alone end before they
-// do.
+// Novices aim off the planned line and tilt the needle during the insertion. The points of the planned line end
+// before the needle stops.
 TEST_F(DeformableAttempt, of_novices_stays_in_tissue_that_is_felt) {
   int left_plan = 0, left_own = 0;
   const simulation::OperatorScript script = session::load_operator("novice");
@@ -120,7 +120,7 @@ TEST_F(DeformableAttempt, makes_a_table_of_the_same_bytes_for_any_number_of_thre
   std::ofstream(folder_ / "cohort.csv.partial") << "# test\n" << first << "\n# end of trainee 0\n";
   EXPECT_EQ(run_cohort(settings).continued, 1U);
   EXPECT_EQ(table(), whole);
-  // On the planned line alone it is another table.
+  // With the planned line alone the table differs.
   settings.stages[0].whole_body.reset();
   run_cohort(settings);
   EXPECT_NE(table(), whole);

@@ -13,7 +13,7 @@
 #include "training/score.h"
 #include "training/simulated_attempt.h"
 
-// The metrics tell novices from experts: what a cohort is simulated for before real trainees meet a rule.
+// The metrics distinguish novices from experts: the purpose of a simulated cohort before rules meet real trainees.
 
 namespace bodkin {
 

@@ -29,7 +29,7 @@ TEST(ExpertSet, places_a_value_by_percentile_and_by_standard_deviations) {
   EXPECT_NEAR(middle->high, 48.0, 1e-12);
   EXPECT_NEAR(set.place("path_length_mm", 45.0)->percentile, 80.0, 1e-12);
   EXPECT_NEAR(set.place("path_length_mm", 45.0)->z, 15.0 / std::sqrt(250.0), 1e-12);
-  EXPECT_EQ(set.place("insertions", 3.0)->z, 0.0);  // they all have the same
+  EXPECT_EQ(set.place("insertions", 3.0)->z, 0.0);  // all have the same value
   EXPECT_EQ(set.place("insertions", 3.0)->percentile, 100.0);
   EXPECT_FALSE(set.place("duration_s", 3.0).has_value());
 }
@@ -55,20 +55,20 @@ TEST(ExpertSet, refuses_what_is_no_table_of_attempts) {
   EXPECT_THAT(refusal("a,b\n1,2\n"), HasSubstr("no column is a metric"));
 }
 
-// Every rule of a procedure about what a hand does compares with the experts that come for it, and they are experts:
-// none harmed anybody, and nearly all passed.
+// Every rule of a procedure on what a hand does is compared with the experts shipped for it: none of them did harm,
+// and nearly all passed.
 TEST(ExpertSet, shipped_experts_have_what_their_procedure_asks_about_and_nearly_all_pass) {
   for (const std::string& name : shipped_procedures()) {
-    if (name == "needle_insertion") continue;  // it has no aim of its own
+    if (name == "needle_insertion") continue;  // it has no goal of its own
     const auto experts = ExpertSet::shipped(name);
     ASSERT_TRUE(experts.has_value()) << name;
     EXPECT_EQ(experts->size(), 60U) << name;
     int kept = 0, rules = 0;
     for (const Rule& rule : find_procedure(name).rules) {
       const std::string_view metric = rule.metric;
-      if (metric == "bone_force_N") continue;  // nobody met bone
+      if (metric == "bone_force_N") continue;  // no expert met bone
       const bool is_guided = name.starts_with("ultrasound_guided");
-      if (metric == "guide_steps_percent" && !is_guided) continue;  // nobody held a probe
+      if (metric == "guide_steps_percent" && !is_guided) continue;  // no expert held a probe
       const auto place = experts->place(metric, 0.0);
       ASSERT_TRUE(place.has_value()) << name << ' ' << metric;
       ++rules;

@@ -1,5 +1,5 @@
-// A thousand attempts that harm the synthetic patient: the needle goes through a nerve, the cord, a vessel, an organ
-// or bowel on its way, and then comes to rest in the fluid as if nothing had happened. None may pass.
+// A thousand attempts that harm the synthetic patient: the needle passes through a nerve, the cord, a vessel, an
+// organ or bowel, and then comes to rest in the fluid as if nothing had happened. None may pass.
 #include <cmath>
 #include <map>
 #include <string>
@@ -21,10 +21,10 @@ using namespace bodkin::anatomy;
 using namespace bodkin::training;
 namespace {
 
-constexpr double way_step = 0.4;     // mm of a tick on the way: 400 mm/s
-constexpr double start_way = 160.0;  // mm before the harmed voxel at which the needle begins
+constexpr double way_step = 0.4;     // mm per tick during the motion: 400 mm/s
+constexpr double start_way = 160.0;  // mm before the harmed voxel, where the needle begins
 
-// The voxels that may be harmed: label or tissue of each, as the segmentation and the tissues have them.
+// A voxel that may be harmed, and what the segmentation and the tissues name it.
 struct Victim {
   Vec3 point;
   const char* what;
@@ -53,7 +53,7 @@ std::vector<Victim> victims_of(const Case& patient) {
   return found;
 }
 
-// One attempt: along a straight line through the victim, out again, and then along the planned path to a rest in the
+// One attempt: along a straight line through the victim, out again, then along the planned path to a rest in the
 // fluid.
 class HarmfulAttempt {
  public:
@@ -101,7 +101,7 @@ TEST(FalseGreen, of_a_thousand_harmful_attempts_none_passes) {
   std::map<std::string, int> count;
   int reached = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    // Every fourth one is a nerve, which have few voxels.
+    // Every fourth victim is a nerve, because nerves have few voxels.
     const Victim* victim = nullptr;
     do {
       victim = &victims[static_cast<std::size_t>(random.uniform() * static_cast<double>(victims.size()))];

@@ -102,7 +102,7 @@ TEST(Harm, coming_closer_than_the_margin_is_a_near_miss) {
   ASSERT_EQ(near.harms.size(), 1U);
   EXPECT_FALSE(near.harms[0].entered);
   EXPECT_EQ(near.harms[0].grade, Grade::borderline);
-  EXPECT_NEAR(near.harms[0].closest, 1.0, 0.26);  // looked at every 0.25 mm; the slab begins at 30 mm
+  EXPECT_NEAR(near.harms[0].closest, 1.0, 0.26);  // sampled every 0.25 mm; the slab begins at 30 mm
   EXPECT_TRUE(body.harm(far, procedure).harms.empty());
 }
 
@@ -115,9 +115,9 @@ TEST(Harm, the_least_distance_to_everything_that_is_forbidden_is_told_beyond_any
   written.to(0, 100, WrittenSession::air).to(12, 1200, {}).rest(300, {}).to(4, 800, {});
   const HarmReport report = body.harm(written, procedure);
   EXPECT_TRUE(report.harms.empty());
-  ASSERT_EQ(report.distances.size(), 3U);  // a kidney too, which the case marks as critical
+  ASSERT_EQ(report.distances.size(), 3U);  // includes a kidney, which the case marks as critical
   EXPECT_EQ(report.distances[0].title, "the colon");
-  EXPECT_NEAR(report.distances[0].closest.value(), 18.0, 0.51);  // the slab begins at 30 mm; points each 0.5 mm
+  EXPECT_NEAR(report.distances[0].closest.value(), 18.0, 0.51);  // the slab begins at 30 mm; points every 0.5 mm
   EXPECT_NEAR(report.distances[0].depth, 12.0, 0.51);
   EXPECT_NEAR(report.distances[0].time, 1.3, 0.06);
   EXPECT_FALSE(report.distances[1].closest.has_value()) << "there is none of it";
@@ -129,7 +129,7 @@ TEST(Harm, the_least_distance_to_everything_that_is_forbidden_is_told_beyond_any
   EXPECT_EQ(body.harm(written, procedure).distances[0].closest.value(), 0.0);
 }
 
-// The search leaves out points that the way between two of them makes too far; all pairs leave out nothing.
+// The search skips points that the path length between two points shows to be too far; the check skips none.
 TEST(Harm, the_nearest_voxel_of_a_way_is_that_of_all_pairs) {
   Grid grid;
   grid.size = {40, 50, 30};

@@ -25,7 +25,7 @@ std::optional<double> value_of(WrittenSession& written, std::string_view metric)
   return find_metric(metric)->compute(Measured(attempt));
 }
 
-// A motion along the path of this length and time, by the polynomial of least jerk.
+// A motion along the path of this length and duration, by the polynomial of least jerk.
 WrittenSession least_jerk(double length, int ticks) {
   WrittenSession written;
   written.to(0, 100, WrittenSession::air).rest(300, WrittenSession::air);
@@ -143,11 +143,11 @@ TEST(Metric, a_movement_of_least_jerk_has_the_smoothness_of_the_literature) {
   EXPECT_LT(*value_of(steps, "smoothness"), -8.0);
 }
 
-// The movement of least jerk of length L in time T has 720 L^2 / T^5 of squared jerk.
+// The motion of least jerk of length L in time T has an integrated squared jerk of 720 L^2 / T^5.
 TEST(Metric, the_root_of_the_jerk_is_that_of_the_polynomial) {
   WrittenSession written = least_jerk(40.0, 2000);
   const double expected = std::sqrt(720.0 * 40.0 * 40.0 / std::pow(2.0, 5.0));
-  // It is greatest at both ends, which the filter rounds off.
+  // It is largest at both ends, which the filter smooths.
   EXPECT_NEAR(*value_of(written, "jerk_mm_per_s2_5"), expected, 0.05 * expected);
 }
 
@@ -183,7 +183,7 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   for (int i = 0; i < 400; ++i) {
     session::SecondSample sample;
     sample.time = 0.01 * i;
-    sample.position = Vec3(20, 0, 3);  // the slice lies in x and y, 3 mm beside the needle
+    sample.position = Vec3(20, 0, 3);  // the slice lies in x and y, 3 mm from the needle
     sample.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitX()));
     written.session().second.push_back(sample);
   }
@@ -195,13 +195,13 @@ TEST(Metric, the_needle_in_an_ultrasound_slice_is_measured_from_the_probes_pose)
   EXPECT_NEAR(*value_of(written, "needle_to_slice_moving_max_deg"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_mean_mm"), 3.0, 1e-9);  // at 10 mm/s
   EXPECT_NEAR(*value_of(written, "tip_to_slice_moving_max_mm"), 3.0, 1e-9);
-  EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);  // 3 mm beside it, in front of the probe
+  EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);  // 3 mm off, in front of the probe
   EXPECT_NEAR(*value_of(written, "needle_to_target_deg"), 0.0, 1e-6);
   for (session::SecondSample& each : written.session().second) each.position.z() = 6.0;
   EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 0.0, 1e-9);
 }
 
-// Turning alone is action too, be it about the needle's own axis or of its shaft.
+// Turning counts as action, about the needle's own axis as well as of its shaft.
 TEST(Metric, a_needle_is_in_action_while_it_moves_or_turns) {
   const auto percent = [](double turn_deg_per_s, const Vec3& about) {
     WrittenSession written;
@@ -217,7 +217,7 @@ TEST(Metric, a_needle_is_in_action_while_it_moves_or_turns) {
   EXPECT_NEAR(percent(20.0, Vec3::UnitX()), 50.0, 1.5);
   EXPECT_NEAR(percent(9.0, Vec3::UnitX()), 0.0, 1e-12) << "TrainUS has 10 deg/s";
   WrittenSession moving;
-  moving.to(0, 100, WrittenSession::air).to(10, 1000, {}).rest(1000, {});  // at 10 mm/s, then not
+  moving.to(0, 100, WrittenSession::air).to(10, 1000, {}).rest(1000, {});  // at 10 mm/s, then at rest
   EXPECT_NEAR(*value_of(moving, "in_action_percent"), 50.0, 1.5);
   WrittenSession slow;
   slow.to(0, 100, WrittenSession::air).to(4, 1000, {}).rest(1000, {});
@@ -231,7 +231,7 @@ TEST(Metric, the_whole_path_has_the_ways_outside_the_body_too) {
   EXPECT_NEAR(*value_of(written, "whole_path_length_mm"), 40.0, 0.2);
 }
 
-// A mouse moves the probe on the screen: the machine's own samples say where it was.
+// A mouse moves the probe on the screen: the samples of the ultrasound machine hold its poses.
 TEST(Metric, a_probe_on_the_screen_is_measured_as_one_in_a_second_hand) {
   WrittenSession written;
   written.to(0, 100, WrittenSession::air).to(40, 4000, {});
@@ -247,7 +247,7 @@ TEST(Metric, a_probe_on_the_screen_is_measured_as_one_in_a_second_hand) {
   EXPECT_NEAR(*value_of(written, "tip_to_slice_mean_mm"), 3.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "needle_to_slice_deg"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "target_in_slice_percent"), 100.0, 1e-9);
-  // From 2.1 s on, half of the time in the body, it lies with the tip in its slice: samples hold until the next one.
+  // From 2.1 s on, half of the time in the body, the tip is in the slice: a sample holds until the next one.
   sample.time = 2.1;
   sample.probe.translation().z() = 0.0;
   session.scans.push_back(sample);
@@ -287,7 +287,7 @@ TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_tha
   EXPECT_NEAR(*value_of(written, "lift_thrust_mm"), amplitude, 0.02);
   EXPECT_NEAR(*value_of(written, "lift_thrust_Hz"), lifting, 0.01);
   EXPECT_LT(*value_of(written, "lift_thrust_scatter_mm"), 1.0);
-  EXPECT_NEAR(*value_of(written, "thrust_depth_mm"), 22.0 - 50.0, 0.02);  // 20 mm and half the way, target at 50
+  EXPECT_NEAR(*value_of(written, "thrust_depth_mm"), 22.0 - 50.0, 0.02);  // 20 mm and half the stroke, target at 50
   EXPECT_NEAR(*value_of(written, "twirl_deg"), turn, 1.0);
   EXPECT_NEAR(*value_of(written, "twirl_Hz"), twirling, 0.01);
   WrittenSession straight = good_puncture();
@@ -295,8 +295,8 @@ TEST(Metric, lifting_thrusting_and_twirling_have_the_amplitude_and_frequency_tha
   EXPECT_FALSE(value_of(straight, "twirl_deg").has_value());
 }
 
-// Beside the planned path by 3 mm all the way, and once back to the beginning: the maximum of the distances does not
-// see the way back, the Fréchet distance does, for the plan cannot be walked backwards.
+// 3 mm from the planned path throughout, with one return towards the beginning: the maximum of the distances does not
+// notice the return, the Fréchet distance does, because the plan cannot be walked backwards.
 TEST(Metric, a_way_that_turns_back_is_far_from_the_plan_by_frechet_and_near_it_by_the_greatest_distance) {
   WrittenSession beside;
   beside.go(Vec3(3, 0, 0), 100, WrittenSession::air).go(Vec3(3, -50, 0), 5000, {}).rest(1000, {});
@@ -306,7 +306,7 @@ TEST(Metric, a_way_that_turns_back_is_far_from_the_plan_by_frechet_and_near_it_b
   back.go(Vec3(3, 0, 0), 100, WrittenSession::air).go(Vec3(3, -45, 0), 4500, {}).go(Vec3(3, -5, 0), 4000, {});
   back.go(Vec3(3, -50, 0), 4500, {}).rest(1000, {});
   EXPECT_NEAR(*value_of(back, "deviation_max_mm"), 3.0, 1e-6);
-  // The best walk waits in the middle of what is gone twice: 20 mm along it from either end, and 3 mm beside.
+  // The best walk waits in the middle of the stretch walked twice: 20 mm from either end, and 3 mm to the side.
   EXPECT_NEAR(*value_of(back, "deviation_frechet_mm"), std::hypot(20.0, 3.0), 0.3);
   EXPECT_GT(*value_of(back, "deviation_warped_mm"), *value_of(beside, "deviation_warped_mm"));
 }
@@ -319,7 +319,7 @@ TEST(Metric, a_straight_insertion_has_the_spread_the_box_and_the_times_that_foll
   EXPECT_NEAR(*value_of(written, "box_across_mm"), 0.0, 1e-9);
   EXPECT_NEAR(*value_of(written, "box_through_mm"), 50.0, 0.02);
   EXPECT_NEAR(*value_of(written, "box_along_mm"), 0.0, 1e-9);
-  EXPECT_NEAR(*value_of(written, "time_to_target_s"), 4.7, 0.002);  // 3 mm before the end, at 10 mm/s
+  EXPECT_NEAR(*value_of(written, "time_to_target_s"), 4.7, 0.002);  // 3 mm before the target, at 10 mm/s
   EXPECT_NEAR(*value_of(written, "closest_time_s"), 5.0, 0.002);
   EXPECT_NEAR(*value_of(written, "sawing"), 1.0, 0.01);
   EXPECT_EQ(*value_of(written, "translational_actions"), 0.0);
@@ -334,7 +334,7 @@ TEST(Metric, quick_movements_and_turns_count_when_they_last) {
   written.rest(1000, WrittenSession::air);
   for (int k = 0; k < 3; ++k)  // 100 mm/s for 0.4 s
     written.to(k % 2 == 0 ? -50 : -10, 400, WrittenSession::air).rest(600, WrittenSession::air);
-  written.to(-45, 50, WrittenSession::air).rest(600, WrittenSession::air);  // as fast, for 0.05 s
+  written.to(-45, 50, WrittenSession::air).rest(600, WrittenSession::air);  // equally fast, for 0.05 s
   EXPECT_EQ(*value_of(written, "translational_actions"), 3.0);
   EXPECT_EQ(*value_of(written, "rotational_actions"), 0.0);
 
@@ -344,7 +344,7 @@ TEST(Metric, quick_movements_and_turns_count_when_they_last) {
     turned.add(Vec3(0, -20, 0), {});
     turned.session().ticks.back().input.needle.rotate(Eigen::AngleAxisd(0.09 * i * degree, Vec3::UnitZ()));
   }
-  EXPECT_NEAR(*value_of(turned, "spin_deg"), 90.0, 5.0);  // 50 ms at either end
+  EXPECT_NEAR(*value_of(turned, "spin_deg"), 90.0, 5.0);  // 50 ms lost at either end
   EXPECT_EQ(*value_of(turned, "rotational_actions"), 1.0);
 }
 

@@ -14,7 +14,7 @@ namespace bodkin {
 using namespace bodkin::training;
 namespace {
 
-// A patient without a place to feel and without fluid is judged by the rest, and that is said.
+// A patient without a fingertip and without fluid is judged by the rest, and the result says so.
 TEST(Score, says_what_was_not_judged_for_want_of_a_part) {
   const anatomy::Case& patient = lumbar_patient();
   session::Session session = simulate_attempt(patient, session::load_operator("expert"),

@@ -10,7 +10,7 @@
 
 namespace bodkin::training {
 
-// The same words, and numbers that differ by `share` of themselves at most.
+// The same words, and numbers with a relative difference of at most `share`.
 inline bool is_same_table(const std::string& one, const std::string& other, double share) {
   std::istringstream a(one), b(other);
   std::string in_a, in_b;
@@ -24,8 +24,8 @@ inline bool is_same_table(const std::string& one, const std::string& other, doub
   return !(b >> in_b);
 }
 
-// A page of docs/ holds this table, whose first line begins with `heading`; BODKIN_WRITE_PAGES=1 writes it there.
-// `share`: of a number by which it may differ there, where another processor's sine has other last digits.
+// A page of docs/ contains this table, whose first line begins with `heading`; BODKIN_WRITE_PAGES=1 writes it.
+// `share`: the allowed relative difference, because another processor's sine has other last digits.
 inline void expect_table_on_page(const std::string& page_name, const std::string& heading, const std::string& table,
                                  double share = 0.0) {
   const std::string file = BODKIN_REPOSITORY "/docs/" + page_name;

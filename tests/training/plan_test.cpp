@@ -62,7 +62,7 @@ TEST(PlanDocument, that_names_what_does_not_exist_is_refused) {
   EXPECT_EQ(plan_refusal("case=\"built-in\" procedure=\"epidural\""), "accepted");
   EXPECT_THAT(plan_refusal("case=\"built-in\" procedure=\"appendectomy\""),
               HasSubstr("plan.xml: stage 'a': there is no procedure 'appendectomy', expected one of acupuncture"));
-  EXPECT_THAT(plan_refusal("case=\"nowhere\""), HasSubstr("the case 'nowhere' is no folder with a case.xml"));
+  EXPECT_THAT(plan_refusal("case=\"nowhere\""), HasSubstr("the case 'nowhere' is not a folder with a case.xml"));
   EXPECT_THAT(plan_refusal("case=\"built-in\" score_from=\"101\""), HasSubstr("plan.xml, line 2: stage score_from"));
   EXPECT_THAT(plan_refusal("case=\"built-in\" overlay=\"perhaps\""), HasSubstr("overlay"));
   EXPECT_THAT(plan_refusal("case=\"built-in\" must_pass=\"true\""),
@@ -83,7 +83,7 @@ TEST(PlanProgress, counts_passes_in_a_row) {
   const PlanStage stage{.title = "a", .attempts = 6, .passes = 3};
   EXPECT_EQ(progress_in(stage, attempts_of("ppfp")).in_a_row, 1);
   EXPECT_FALSE(progress_in(stage, attempts_of("ppfp")).is_done);
-  EXPECT_TRUE(progress_in(stage, attempts_of("pppf")).is_passed);  // it was passed, whatever came later
+  EXPECT_TRUE(progress_in(stage, attempts_of("pppf")).is_passed);  // it remains passed, whatever comes later
   EXPECT_FALSE(progress_in(stage, attempts_of("ppbpp")).is_passed);
   const StageProgress worn_out = progress_in(stage, attempts_of("fffffd"));
   EXPECT_FALSE(worn_out.is_passed);

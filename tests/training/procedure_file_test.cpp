@@ -76,7 +76,7 @@ TEST(ProcedureFile, everything_that_it_says_is_read) {
   EXPECT_EQ(rule.grade_of(1.0), Grade::pass);
   EXPECT_EQ(rule.grade_of(3.0), Grade::borderline);
   EXPECT_EQ(rule.grade_of(5.0), Grade::dangerous);
-  EXPECT_EQ(rule.grade_of(0.0), Grade::borderline);  // there is no lower bound of what is borderline
+  EXPECT_EQ(rule.grade_of(0.0), Grade::borderline);  // borderline has no lower bound
   EXPECT_EQ(rule.grade_of(std::nan("")), Grade::dangerous);
 }
 

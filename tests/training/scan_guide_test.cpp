@@ -18,21 +18,21 @@ namespace bodkin {
 using namespace bodkin::training;
 namespace {
 
-// A probe at the origin that looks along -y, with its slice in x and y.
-ProbeMoment looking_down(double reach) {
+// A probe at the origin that faces -y, with its slice in x and y.
+ProbeState looking_down(double reach) {
   return {.time = 0.0, .face = Vec3::Zero(), .into = -Vec3::UnitY(), .normal = Vec3::UnitZ(), .reach = reach};
 }
 
 TEST(ScanGuide, a_picture_ends_at_the_edges_of_the_probes_field) {
   const anatomy::UltrasoundProbe linear{.kind = anatomy::ProbeKind::linear, .elements = 100, .pitch = 0.4};
-  const ProbeMoment probe = looking_down(60.0);
+  const ProbeState probe = looking_down(60.0);
   EXPECT_TRUE(is_in_picture(probe, &linear, Vec3(19.9, -59.0, 0.0), 5.0));
   EXPECT_FALSE(is_in_picture(probe, &linear, Vec3(20.1, -59.0, 0.0), 5.0)) << "beside the face of 40 mm";
   EXPECT_FALSE(is_in_picture(probe, &linear, Vec3(0.0, -61.0, 0.0), 5.0)) << "deeper than is shown";
   EXPECT_FALSE(is_in_picture(probe, &linear, Vec3(0.0, 1.0, 0.0), 5.0)) << "behind the face";
   EXPECT_TRUE(is_in_picture(probe, &linear, Vec3(0.0, -30.0, 4.9), 5.0));
   EXPECT_FALSE(is_in_picture(probe, &linear, Vec3(0.0, -30.0, 5.1), 5.0)) << "beside the slice";
-  // A face of 60 mm on a circle of 60 mm: half a radian to each side, from a point 60 mm behind the middle.
+  // A face of 60 mm on a circle of 60 mm: half a radian to each side, from a point 60 mm behind the centre.
   const anatomy::UltrasoundProbe curved{
       .kind = anatomy::ProbeKind::curvilinear, .elements = 150, .pitch = 0.4, .radius = 60.0};
   const auto on_ray = [](double angle, double away) {
@@ -48,7 +48,7 @@ TEST(ScanGuide, a_picture_ends_at_the_edges_of_the_probes_field) {
   EXPECT_TRUE(is_in_picture(looking_down(unbounded), nullptr, Vec3(90.0, -300.0, 0.0), 5.0));
 }
 
-// Where the landmarks of the interspaces say that a spinous process is, the segmentation has that vertebra.
+// Where the landmarks of the interspaces place a spinous process, the segmentation has that vertebra.
 TEST(ScanGuide, the_spinous_processes_of_a_patient_are_where_his_segmentation_has_them) {
   for (const patient::LumbarParameters& parameters :
        {patient::LumbarParameters{.spacing = 1.5}, patient::LumbarParameters{.weight = 110.0, .spacing = 1.5},
@@ -63,7 +63,7 @@ TEST(ScanGuide, the_spinous_processes_of_a_patient_are_where_his_segmentation_ha
       for (const anatomy::Structure& each : made.structure_table)
         if (each.name == "vertebrae_" + vertebra) label = each.label;
       ASSERT_NE(label, 0) << vertebra;
-      // Somewhere on the way between skin and canal, and within the 5 mm that a picture counts as showing.
+      // Somewhere between skin and canal, and within the 5 mm that count as shown in an image.
       EXPECT_LT(distance_to_value(made.structures, process->middle, label, 30.0), 5.0) << vertebra;
     }
   }
@@ -71,7 +71,7 @@ TEST(ScanGuide, the_spinous_processes_of_a_patient_are_where_his_segmentation_ha
   EXPECT_FALSE(spinous_process(lumbar_patient().description, "T4").has_value());
 }
 
-// An insertion along the planned path of the synthetic patient, after a scan that shows these parts, a second each.
+// An insertion along the planned path of the synthetic patient, after a scan that shows each of these parts for 1 s.
 class Guided {
  public:
   explicit Guided(const std::vector<std::string>& scanned, const Vec3& beside = Vec3::Zero(), double turned = 0.0) {
@@ -136,7 +136,7 @@ TEST(ScanGuide, each_of_the_seven_steps_is_missed_by_what_breaks_it) {
   EXPECT_THAT(Guided({"L5", "askew", "target"}).missed(), ::testing::Contains("spinous_process_L3"));
   EXPECT_THAT(Guided({"L5"}).missed(), ::testing::IsSupersetOf({"spinous_process_L3", "target"}));
   const double tolerance = lumbar_patient().description.procedure.target_tolerance;
-  // Beside the line, and parallel to it.
+  // Next to the line and parallel to it.
   const Guided beside(whole_scan, Vec3(tolerance + 0.5, 0, 0));
   EXPECT_THAT(beside.missed(), ElementsAre("line"));
   EXPECT_NEAR(*beside.value("aim_miss_mm"), tolerance + 0.5, 1e-6);

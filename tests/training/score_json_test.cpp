@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-// What of a JSON schema score.schema.json uses: type, const, enum, required, additionalProperties, properties, items.
+// The keywords of JSON schema used by score.schema.json: type, const, enum, required, additionalProperties,
+// properties, items.
 void expect_valid(const json& value, const json& schema, const std::string& where) {
   static const std::map<std::string, bool (*)(const json&)> types = {
       {"object", [](const json& v) { return v.is_object(); }},
@@ -77,7 +78,7 @@ TEST(ScoreJson, a_row_of_the_table_has_a_field_for_every_column) {
   std::string table = head + "\n";
   for (int i = 0; i < 5; ++i) table += row + "\n";
   const auto place = ExpertSet::parse(table, "own").place("path_length_mm", result.find("path_length_mm")->value);
-  EXPECT_EQ(place->percentile, 50.0);  // read back to the same bits
+  EXPECT_EQ(place->percentile, 50.0);  // read back bit for bit
 }
 
 TEST(ScoreJson, tells_thresholds_that_are_not_the_default) {

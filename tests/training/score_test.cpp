@@ -51,7 +51,7 @@ TEST(Score, a_puncture_without_fault_passes) {
 
 TEST(Score, every_step_is_found_with_its_time_and_depth) {
   WrittenSession written = withdrawn(good_puncture());
-  // The needle touched the skin before and came off again: that was no withdrawal.
+  // The needle touched the skin earlier and came off again: that was no withdrawal.
   written.session().events.insert(written.session().events.begin(),
                                   {100, {EventKind::withdrawn, tissue::air, 0.0, 0.0}});
   const Score result = score_of(written);
@@ -69,7 +69,7 @@ TEST(Score, every_step_is_found_with_its_time_and_depth) {
   }
 }
 
-// One tick in a nerve, at any place of an attempt that is otherwise without fault.
+// The tip jumps through the ligament between two ticks: only its event shows the crossing.
 TEST(Score, a_ligament_that_the_tip_jumps_through_was_crossed) {
   WrittenSession written;
   written.to(0, 500, WrittenSession::air).event(EventKind::contact, tissue::skin);
@@ -124,7 +124,7 @@ TEST(Score, whatever_a_procedure_forbids_is_found_in_it) {
 }
 
 TEST(Score, coming_to_rest_past_the_aim_is_not_reaching_it) {
-  WrittenSession written = good_puncture();  // which rested in the fluid, but goes on
+  WrittenSession written = good_puncture();  // rests in the fluid, but then continues
   written.to(62, 1500, {true, tissue::cancellous_bone, 4.0}).rest(1000, {true, tissue::cancellous_bone, 2.0});
   const Score result = score_of(written);
   EXPECT_FALSE(result.reached);
@@ -137,7 +137,7 @@ TEST(Score, coming_to_rest_past_the_aim_is_not_reaching_it) {
 TEST(Score, a_hand_that_trembles_can_rest) {
   WrittenSession written = good_puncture();
   const Vec3 still = written.session().ticks.back().input.needle.translation();
-  written.session().ticks.resize(written.session().ticks.size() - 1000);  // without its rest
+  written.session().ticks.resize(written.session().ticks.size() - 1000);  // without the final rest
   for (int i = 0; i < 2000; ++i) {
     const double t = 0.001 * i;
     const Vec3 tremor(0.2 * std::sin(56.0 * t), 0.15 * std::sin(63.0 * t + 1.0), 0.2 * std::sin(70.0 * t));
@@ -186,13 +186,13 @@ TEST(Score, overshoot_after_the_loss_of_resistance_is_told_with_depth_way_and_sp
   const Score result = score_of(written);
   EXPECT_NEAR(result.find("loss_overshoot_mm")->value, 6.2, 1e-6);
   EXPECT_NEAR(result.find("loss_speed_mm_per_s")->value, 31.0, 1e-6);
-  EXPECT_NEAR(result.find("loss_reaction_s")->value, 0.22, 0.003);  // 0.2 s and the 20 ms of the speed
+  EXPECT_NEAR(result.find("loss_reaction_s")->value, 0.22, 0.003);  // 0.2 s and the 20 ms needed for the speed
   EXPECT_EQ(result.find("loss_overshoot_mm")->grade, Grade::fail);
   EXPECT_THAT(sentences(result), HasSubstr("You crossed the ligamentum flavum at 40.0 mm and went 6.2 mm further "
                                            "before you stopped, at up to 31 mm/s"));
 }
 
-// An epidural whose tip rests in the epidural space, with a way through the ligament and what happens at its end.
+// An epidural whose tip rests in the epidural space, with a given passage through the ligament and its end.
 WrittenSession epidural(int ticks_in_ligament, bool is_felt, int ticks_of_yield = 400) {
   WrittenSession written;
   written.to(0, 500, WrittenSession::air).event(EventKind::contact, tissue::skin);
@@ -218,7 +218,7 @@ TEST(Score, an_epidural_that_nobody_felt_is_no_pass) {
   EXPECT_EQ(epidural_score(by_syringe).verdict, Grade::pass);
 }
 
-// What a hand does before the ligament gives way is its own; the half millimetre that it springs forward then is not.
+// The hand's speed before the ligament yields is judged; the half millimetre of the sudden advance is not.
 TEST(Score, speed_in_the_ligament_is_judged_and_its_sudden_yield_is_not) {
   const Score springs = epidural_score(epidural(2000, true, 60));  // 0.5 mm at 8.3 mm/s
   EXPECT_NEAR(springs.find("loss_speed_mm_per_s")->value, 8.33, 0.1);
@@ -230,7 +230,7 @@ TEST(Score, speed_in_the_ligament_is_judged_and_its_sudden_yield_is_not) {
   EXPECT_THAT(sentences(fast), HasSubstr("Slow down as soon as you feel the ligamentum flavum"));
 }
 
-// The technique that acupuncture asks for is to be shown, and to the depth of the point.
+// The technique required by acupuncture must be shown, and at the depth of the point.
 TEST(Score, acupuncture_without_its_technique_is_no_pass) {
   const training::Procedure procedure = find_procedure("acupuncture");
   const auto needled = [](int thrusts, double depth, double twirl_deg) {

@@ -32,7 +32,7 @@ double value(const Score& score, const char* metric) {
   return result == nullptr ? 0.0 : result->value;
 }
 
-// The two operators that come with Bodkin, on the synthetic patient.
+// The two shipped operators, on the synthetic patient.
 TEST(SimulatedAttempt, the_expert_reaches_the_fluid_without_touching_bone_and_passes) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Score result = attempt_score("expert", seed);
@@ -63,8 +63,8 @@ TEST(SimulatedAttempt, novices_stray_overshoot_and_strike_bone_more_than_experts
   EXPECT_GT(tremor[1], 2.0 * tremor[0]);
 }
 
-// Where the needle rests at last, or the nerve root or disc that it pierced before, or the dura that it pierced
-// without resting anywhere.
+// The needle's final resting place, or the nerve root or disc that it pierced before, or the dura if it pierced that
+// without resting.
 TissueId place_found(const Case& patient, const char* name, std::uint64_t seed) {
   const simulation::OperatorScript script = session::load_operator(name);
   simulation::ClosedLoop loop(patient, script, *patient.description.procedure.path, seed);
@@ -83,7 +83,7 @@ TissueId place_found(const Case& patient, const char* name, std::uint64_t seed) 
   return there;
 }
 
-// The ligamentum flavum takes 0.8 N with the 25G needle and 2.3 N with 20G; the tables say 3.2 N of every one.
+// The ligamentum flavum takes 0.8 N with a 25G needle and 2.3 N with 20G; the tables state 3.2 N for every needle.
 TEST(SimulatedAttempt, experts_find_their_place_with_the_forces_of_the_needle_and_novices_mostly_do_not) {
   Case patient = lumbar_patient();
   patient.description.haptics.mechanics = Mechanics::physical;
@@ -100,7 +100,7 @@ TEST(SimulatedAttempt, experts_find_their_place_with_the_forces_of_the_needle_an
   }
 }
 
-// 18G takes 7.6 N before the ligamentum flavum gives way, more than the 6 N of a device that nothing is said of.
+// 18G takes 7.6 N at the ligamentum flavum, more than the 6 N assumed for an unknown device.
 TEST(SimulatedAttempt, the_expert_finds_the_epidural_space_where_the_device_is_strong_enough) {
   Case patient = lumbar_patient();
   patient.description.haptics.mechanics = Mechanics::physical;
@@ -117,7 +117,7 @@ TEST(SimulatedAttempt, the_expert_finds_the_epidural_space_where_the_device_is_s
   }
 }
 
-// The table was made by `bodkin cohort` on this patient.
+// The table was computed by `bodkin cohort` on this patient.
 TEST(SimulatedAttempt, the_experts_that_come_with_bodkin_are_like_those_that_it_makes_now) {
   const auto experts = ExpertSet::shipped("lumbar_puncture");
   ASSERT_TRUE(experts.has_value());
@@ -161,7 +161,7 @@ TEST(SimulatedAttempt, the_expert_feels_the_interspace_and_measures_the_fluid) {
   EXPECT_EQ(value(whole, "withdrawn_open"), 0.0);
   for (const StepResult& step : whole.steps) EXPECT_TRUE(step.time.has_value()) << step.title;
 
-  const Score plain = scored("expert");  // who neither feels nor measures
+  const Score plain = scored("expert");  // neither palpates nor measures
   EXPECT_EQ(plain.verdict, Grade::borderline);
   EXPECT_EQ(value(plain, "felt_places"), 0.0);
   EXPECT_EQ(value(plain, "pressure_readings"), 0.0);

@@ -8,7 +8,7 @@
 namespace bodkin::training {
 namespace {
 
-// A needle that goes in along the path at 10 mm/s for 5 s, `aside` mm beside the slice, then rests for 5 s.
+// A needle that advances along the path at 10 mm/s for 5 s, `aside` mm from the slice, then rests for 5 s.
 session::Session needle_beside(double aside, std::uint64_t ticks = 10000) {
   session::Session session;
   session.header.dt = 0.001;

@@ -22,7 +22,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Of a procedure whose file states this one threshold.
+// A procedure whose file states only this threshold.
 training::Procedure procedure_with(const std::string& thresholds) {
   return parse_procedure(
       "<procedure version=\"1\" name=\"own\" title=\"Own\">\n<description>d</description>\n<goal "
@@ -43,7 +43,7 @@ WrittenSession at_the_skin() {
   return written;
 }
 
-// Twice into the body, and between for so many ticks outside, so far away.
+// Twice into the body; `away` mm outside and `ticks` ticks between the insertions.
 WrittenSession twice(double away, int ticks) {
   WrittenSession written = at_the_skin();
   written.to(20, 400, fat).to(0, 400, fat).to(-away, ticks / 2, WrittenSession::air);
@@ -64,7 +64,7 @@ WrittenSession redirected(double back, double turn_deg) {
   return written;
 }
 
-// At rest in the body, then moved to and fro by 10 mm at this speed for so long, then at rest.
+// Advances slowly, rests, moves on at `speed` mm/s for `ticks`, and rests.
 WrittenSession burst(double speed, int ticks) {
   WrittenSession written = at_the_skin();
   written.to(10, 5000, fat).rest(1000, fat);
@@ -72,7 +72,7 @@ WrittenSession burst(double speed, int ticks) {
   return written;
 }
 
-// Turned about the needle's own axis at this rate, which may change its sense every half second.
+// Turns about the needle's own axis at `rate` deg/s; `to_and_fro`: reversing every half second.
 WrittenSession turning(double rate, int ticks, bool to_and_fro = false) {
   WrittenSession written = at_the_skin();
   written.to(10, 5000, fat).rest(to_and_fro ? 500 : 1000, fat);
@@ -111,7 +111,7 @@ WrittenSession beside_slice(double away) {
   return written;
 }
 
-// With a probe that shows the target; the needle enters beside the plan and is turned so as to meet the target.
+// With a probe that shows the target; the needle enters next to the plan and is turned to meet the target.
 WrittenSession guided(double beside) {
   WrittenSession written = beside_slice(0.0);
   written.session().ticks.clear();
@@ -131,16 +131,16 @@ WrittenSession into_a_nerve_twice(double between) {
 WrittenSession slow_after_loss() {
   WrittenSession written = at_the_skin();
   written.to(20, 400, fat).to(22, 1000, fat).event(forces::EventKind::loss_of_resistance, tissue::epidural_fat, 2.0);
-  written.to(24, 1000, fat).rest(500, fat);  // at 2 mm/s all the time
+  written.to(24, 1000, fat).rest(500, fat);  // at 2 mm/s throughout
   return written;
 }
 
 struct Expectation {
   std::string_view threshold;
-  double value;  // that the procedure states
+  double value;  // stated by the procedure
   WrittenSession session;
-  std::string_view metric;  // or "entries": into the nerve
-  double usually, then;     // absent: the session has no value of it
+  std::string_view metric;  // or "entries", into the nerve
+  double usually, then;     // absent: not measured in this session
   double tolerance = 1e-9;
 };
 constexpr double absent = -1000.0;
@@ -152,7 +152,7 @@ double measured(WrittenSession& written, const training::Procedure& procedure, s
   return found == nullptr ? absent : found->value;
 }
 
-// Each on a session by hand whose numbers lie between the default and what the procedure states.
+// Each on a session by hand, whose numbers lie between the default and the procedure's value.
 TEST(Thresholds, each_moves_what_it_says_and_old_sessions_are_measured_with_it) {
   std::vector<Expectation> all = {
       {"outside_s", 0.8, twice(2.0, 600), "insertions", 2, 1},
@@ -194,7 +194,7 @@ TEST(Thresholds, each_moves_what_it_says_and_old_sessions_are_measured_with_it) 
       Thresholds());
 }
 
-// The schema says what the table of parameters says.
+// The schema agrees with the table of parameters.
 TEST(Thresholds, a_procedure_file_states_what_the_table_allows_and_no_more) {
   EXPECT_EQ(procedure_with("<thresholds/>\n").thresholds, Thresholds());
   for_each_parameter(
@@ -229,7 +229,7 @@ TEST(Thresholds, a_score_tells_those_that_are_not_the_default) {
             "Measured with thresholds of the procedure's own: rest_s 0.75, retreat_mm 7.");
 }
 
-// The experts that come with Bodkin were measured with the default.
+// The shipped experts were measured with the default.
 TEST(Thresholds, numbers_that_mean_something_else_are_not_compared_with_experts) {
   training::Procedure procedure = find_shipped_procedure("epidural");
   EXPECT_TRUE(experts_of(procedure).has_value());

@@ -9,8 +9,8 @@
 
 namespace bodkin {
 
-// A session written by hand: the tip goes where it is told, through tissues and forces that are told too. The planned
-// path runs from the origin 50 mm along -y; depth is measured along it.
+// A session written by hand: tip, tissues and forces as given. The planned path runs from the origin 50 mm along -y;
+// depth is measured along it.
 class WrittenSession {
  public:
   struct Touch {
@@ -32,13 +32,13 @@ class WrittenSession {
     go(Vec3(0, 10, 0), 1, air);
   }
 
-  // Moves straight to `tip` in so many ticks.
+  // Moves straight to `tip` in `ticks` ticks.
   WrittenSession& go(const Vec3& tip, int ticks, const Touch& touch, const Vec3& axis = -Vec3::UnitY()) {
     const Vec3 from = session_.ticks.empty() ? tip : session_.ticks.back().input.needle.translation().eval();
     for (int i = 1; i <= ticks; ++i) add(from + (tip - from) * i / ticks, touch, axis);
     return *this;
   }
-  // The same along the planned path, to a depth.
+  // Moves along the planned path to a depth.
   WrittenSession& to(double depth, int ticks, const Touch& touch) { return go(Vec3(0, -depth, 0), ticks, touch); }
   WrittenSession& rest(int ticks, const Touch& touch) {
     return go(session_.ticks.back().input.needle.translation().eval(), ticks, touch);
@@ -66,7 +66,7 @@ class WrittenSession {
   session::Session session_;
 };
 
-// A lumbar puncture without fault: the ligamentum flavum gives way at 40 mm, the tip rests in the fluid at 50 mm.
+// A faultless lumbar puncture: the ligamentum flavum is punctured at 40 mm, the tip rests in the fluid at 50 mm.
 inline WrittenSession good_puncture() {
   using forces::EventKind;
   WrittenSession written;
@@ -82,7 +82,7 @@ inline WrittenSession good_puncture() {
   return written;
 }
 
-// The same, with the needle drawn out at the end.
+// Appends the withdrawal of the needle.
 inline WrittenSession withdrawn(WrittenSession written) {
   written.to(0, 2000, {true, tissue::fat, -0.5}).event(forces::EventKind::withdrawn);
   written.to(-8, 300, WrittenSession::air);

@@ -37,7 +37,7 @@ bool is_label_byte(char byte) {
 std::string session_digest(const session::Session& session) {
   std::string bytes = fmt::format("{}\n{}\n{}\n{}\n{}\n", session.header.started_at, session.header.case_digest,
                                   session.header.operator_name, session.header.seed, session.ticks.size());
-  // Two stations that start in the same second can record the same motion to the bit.
+  // Two stations started in the same second can record the same motion to the bit.
   if (!session.header.recording_id.empty()) bytes += session.header.recording_id + '\n';
   constexpr std::size_t numbers = 8;
   bytes.reserve(bytes.size() + session.ticks.size() * numbers * sizeof(double));

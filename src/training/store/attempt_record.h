@@ -10,9 +10,9 @@
 
 namespace bodkin::training {
 
-// What the store keeps of an attempt.
+// The record of an attempt in the store.
 struct AttemptRecord {
-  std::string digest;      // of the session; nothing is kept twice
+  std::string digest;      // of the session; no attempt is stored twice
   std::string trainee;     // a label without the person's name, see check_label()
   std::string procedure;   // its name
   std::string patient;     // name of the case
@@ -31,16 +31,15 @@ struct AttemptRecord {
   bool owns_file = false;                               // deleting the trainee deletes it
 };
 
-// 128 bits, 32 hexadecimal digits, of what a session recorded, when, and by which recording: the same for a copy of
-// the file, another one for every other session.
+// 128 bits, 32 hexadecimal digits, of a session's recorded data, time and recording: equal for a copy of the file,
+// different for every other session.
 std::string session_digest(const session::Session& session);
 
-// The record of a session that was judged; `patient` is the name of its case. Trainee, plan and file are left to the
-// caller.
+// The record of a scored session; `patient` is the name of its case. The caller sets trainee, plan and file.
 AttemptRecord record_of(const session::Session& session, const std::string& patient, const Score& score);
 
 // Throws InputError unless `label` is 1 to 64 characters, of letters, digits, blanks, '_', '-' and '.', and neither
-// begins nor ends with a blank: a pseudonym, no address. `what`: names it in the message.
+// begins nor ends with a blank: a pseudonym, not an address. `what`: names it in the message.
 void check_label(const std::string& label, const std::string& what);
 
 // The grade of that name. Throws InputError.
@@ -49,8 +48,8 @@ Grade grade_of_name(std::string_view name, const std::string& origin);
 // The name of this computer.
 std::string station_name();
 
-// The metrics and findings of a record as JSON, as the store keeps them, and back. Throws InputError naming `origin`
-// for other JSON.
+// The metrics and findings of a record as JSON, in the format of the store, and back. Throws InputError naming
+// `origin` for invalid JSON.
 std::string metrics_json(const AttemptRecord& record);
 std::string findings_json(const AttemptRecord& record);
 void read_metrics(AttemptRecord& record, std::string_view json, const std::string& origin);

@@ -16,7 +16,7 @@ constexpr const char* first_tables[] = {
     "duration_s DOUBLE PRECISION NOT NULL, verdict TEXT NOT NULL, reached INTEGER NOT NULL, "
     "score DOUBLE PRECISION NOT NULL, headline TEXT NOT NULL, metrics TEXT NOT NULL, findings TEXT NOT NULL, "
     "file TEXT NOT NULL, owns_file INTEGER NOT NULL)",
-    // Holds all that the table of a cohort needs, so that the long rows are not read for it.
+    // Contains all columns of a cohort table, so that the long rows need not be read.
     "CREATE INDEX attempts_of_trainees ON attempts(trainee, procedure_name, started_at, digest, verdict, score)",
 };
 

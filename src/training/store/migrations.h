@@ -6,18 +6,18 @@
 
 namespace bodkin::training {
 
-// The statements that lead from one version of the tables to the next. Each is the same for every database. A
-// released migration is never changed: another one is added.
+// The statements that convert one version of the tables to the next. They are the same for every database. A released
+// migration is never changed: new ones are added.
 using Migration = std::span<const char* const>;
 std::span<const Migration> migrations();
 
-// The version that this program knows: as many as there are migrations.
+// The version supported by this program: the number of migrations.
 int newest_store_version();
-// That of a store; 0: it is empty.
+// The version of a store; 0: it is empty.
 int store_version(SqlConnection& connection);
 
-// Leads a store to version `wanted`, in one change. Throws InputError when it is newer than this program: it is left
-// as it is.
+// Converts a store to version `wanted`, in one transaction. Throws InputError, without changing the store, when it is
+// newer than this program.
 void migrate(SqlConnection& connection, int wanted);
 
 }  // namespace bodkin::training

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view attempts_suffix = ".sqlite", name_suffix = ".store";
 constexpr std::size_t longest_name = 1 << 16;  // bytes
 
-// What a store is known by, and told as.
+// Identity of a store, and its name for people.
 std::string name_of_store(const std::string& place) {
   if (!is_server(place)) return fs::absolute(place).lexically_normal().string();
   const std::string address = "postgresql://" + place.substr(place.find("://") + 3);
@@ -36,12 +36,12 @@ std::int64_t count_of(const fs::path& file, std::chrono::milliseconds patience) 
   return static_cast<std::int64_t>(ResultStore(file.string(), patience).summaries().size());
 }
 
-// What a store says, as opposed to a fault of the program.
+// An error reported by a store, as opposed to a fault of the program.
 bool is_refusal(const std::runtime_error& error) {
   return dynamic_cast<const InputError*>(&error) != nullptr || dynamic_cast<const SystemError*>(&error) != nullptr;
 }
 
-// Finds the stage of an attempt that had to wait without one, by the plan that waits with it.
+// Finds the stage of an attempt queued without one, by the plan queued with it.
 void put_in_stage(AttemptRecord& record, ResultStore& outbox, ResultStore& store) {
   std::vector<AttemptRecord> records = {record};
   records.front().plan.clear();
@@ -92,7 +92,7 @@ void Outbox::put_in_plan(const PlanInUse& plan, std::vector<AttemptRecord>& reco
   }
 }
 
-// Before anything waits: attempts without it could not be told apart from those for another store.
+// Before anything is queued: attempts without it could not be distinguished from those for another store.
 void Outbox::name_store() const {
   const fs::path name_file = fs::path(file_).replace_extension(name_suffix);
   if (!fs::exists(name_file)) write_file(name_file, name_of_store(place_));
@@ -132,8 +132,8 @@ std::int64_t Outbox::waiting() const {
   return count_of(file_, patience_);
 }
 
-std::vector<WaitingFor> Outbox::waiting_elsewhere() const {
-  std::vector<WaitingFor> found;
+std::vector<PendingAttempts> Outbox::waiting_elsewhere() const {
+  std::vector<PendingAttempts> found;
   std::error_code failure;
   for (const auto& entry : fs::directory_iterator(folder_, failure)) {
     if (entry.path().extension() != name_suffix) continue;
@@ -142,7 +142,8 @@ std::vector<WaitingFor> Outbox::waiting_elsewhere() const {
     const std::int64_t attempts = count_of(file, patience_);
     if (attempts > 0) found.push_back({io::read_text_file(entry.path(), longest_name), attempts});
   }
-  std::sort(found.begin(), found.end(), [](const WaitingFor& a, const WaitingFor& b) { return a.store < b.store; });
+  std::sort(found.begin(), found.end(),
+            [](const PendingAttempts& a, const PendingAttempts& b) { return a.store < b.store; });
   return found;
 }
 

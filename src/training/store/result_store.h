@@ -12,7 +12,7 @@
 
 namespace bodkin::training {
 
-// An attempt as the table of a cohort and a learning curve need it.
+// The data of an attempt for the table of a cohort and a learning curve.
 struct AttemptSummary {
   std::string trainee;
   std::string procedure;
@@ -20,57 +20,56 @@ struct AttemptSummary {
   std::string digest;
   Grade verdict = Grade::fail;
   double score = 0.0;  // 0 to 100
-  int stage = 0;       // of the plan, where it was asked for by its plan
+  int stage = 0;       // of the plan, when requested by its plan
 };
 
-// What deleting a trainee did.
+// Result of deleting a trainee.
 struct Deletion {
   std::int64_t attempts = 0;
-  std::vector<std::filesystem::path> deleted_files;  // sessions that the store owned
-  std::vector<std::string> other_files;  // owned sessions that are on another station, or could not be removed
+  std::vector<std::filesystem::path> deleted_files;  // sessions owned by the store
+  std::vector<std::string> other_files;              // owned sessions on another station, or not removable
 };
 
 struct StoredPlan {
   std::string name, title, document;
 };
 
-// Results of trainees, kept in a database. Several programs and stations may use one at a time. All functions throw
+// Results of trainees, stored in a database. Several programs and stations may use one at a time. All functions throw
 // SystemError with one sentence when the database is locked, full or damaged, and StoreUnreachable when it does not
-// answer; then nothing was changed.
+// respond; in these cases nothing was changed.
 class ResultStore {
  public:
   static constexpr std::chrono::milliseconds usual_patience{5000};
 
-  // `place`: a file, which is made when it is not there, or postgresql://... . Brings the tables to the newest
-  // version. Throws InputError for a place that holds something else, or a newer store.
+  // `place`: a file, which is created if missing, or postgresql://... . Converts the tables to the newest version.
+  // Throws InputError for other content, or a newer store.
   explicit ResultStore(const std::string& place, std::chrono::milliseconds patience = usual_patience);
 
-  // Where it is, without a password.
+  // Its address, without a password.
   const std::string& place() const { return connection_->place(); }
 
-  // Keeps an attempt; false: it has been there before, and nothing was changed. Throws InputError for a label that is
-  // none.
+  // Stores an attempt; false: it was there already, and nothing was changed. Throws InputError for an invalid label.
   bool add(const AttemptRecord& record);
-  // The same for many, as one change. Returns how many are new.
+  // Stores many in one transaction. Returns the number of new ones.
   std::int64_t add(const std::vector<AttemptRecord>& records);
 
   std::vector<std::string> trainees();
   // In the order of trainee, procedure and time. `trainee`, `procedure`: only theirs; empty: all.
   std::vector<AttemptSummary> summaries(const std::string& trainee = {}, const std::string& procedure = {});
-  // Of a plan, in the order of trainee and time. `trainee`: only his; empty: all.
+  // Of a plan, in the order of trainee and time. `trainee`: only that trainee's; empty: all.
   std::vector<AttemptSummary> summaries_of_plan(const std::string& plan, const std::string& trainee = {});
-  // Everything of the attempts of a trainee, in the order of time; empty: of all.
+  // The full records of a trainee's attempts, in chronological order; empty: of all trainees.
   std::vector<AttemptRecord> attempts(const std::string& trainee = {});
-  // Everything of one attempt.
+  // The full record of one attempt.
   std::optional<AttemptRecord> attempt(const std::string& digest);
 
-  // Removes one attempt, as after its delivery to another store, and trainees who have no other.
+  // Removes one attempt, as after its delivery to another store, and trainees without any other.
   void remove(const std::string& digest);
-  // Removes a trainee with all attempts, their sessions that the store owns, and their traces in the database's file.
+  // Removes a trainee with all attempts, their sessions owned by the store, and their traces in the database's file.
   // Throws InputError when there is no such trainee.
   Deletion remove_trainee(const std::string& label);
 
-  // Keeps a plan, in place of an older one of its name.
+  // Stores a plan, replacing an older one of its name.
   void put_plan(const StoredPlan& plan);
   std::vector<StoredPlan> plans();
 
@@ -81,7 +80,7 @@ class ResultStore {
   std::unique_ptr<SqlConnection> connection_;
 };
 
-// "postgresql://..." or "postgres://...": a server, no file.
+// "postgresql://..." or "postgres://...": a server, not a file.
 bool is_server(const std::string& place);
 
 }  // namespace bodkin::training

@@ -11,7 +11,7 @@ namespace bodkin::training {
 
 namespace {
 
-// In quotes where it has to be. A text that a spreadsheet would take for a formula gets an apostrophe before it.
+// In quotes if necessary. A text that a spreadsheet would take for a formula gets an apostrophe before it.
 std::string field_of(const std::string& text) {
   std::string safe = text;
   if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe.insert(0, 1, '\'');

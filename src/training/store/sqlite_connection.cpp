@@ -15,7 +15,7 @@ class SqliteConnection final : public SqlConnection {
   SqliteConnection(const std::string& file, std::chrono::milliseconds patience)
       : file_(file), database_(opened(file, patience)) {
     guarded([&] {
-      database_.exec("PRAGMA secure_delete=ON");  // what is deleted is overwritten
+      database_.exec("PRAGMA secure_delete=ON");  // deleted data are overwritten
       database_.exec("PRAGMA foreign_keys=ON");
     });
   }
@@ -33,8 +33,7 @@ class SqliteConnection final : public SqlConnection {
       const int tables = database_.execAndGet("SELECT count(*) FROM sqlite_master").getInt();
       const int id = database_.execAndGet("PRAGMA application_id").getInt();
       if (tables > 0 && id != store_application_id) {
-        throw InputError(
-            fmt::format("{} is a database of something else than results; name another file with --store", file_));
+        throw InputError(fmt::format("{} is a database, but not of results; name another file with --store", file_));
       }
       database_.exec(fmt::format("PRAGMA application_id={}", store_application_id));
     });
@@ -114,13 +113,13 @@ class SqliteConnection final : public SqlConnection {
             "the store {} cannot be written; nothing was changed: free space on its disk and try again", file_));
       case SQLITE_READONLY:
       case SQLITE_PERM:
-        throw SystemError(fmt::format(
-            "the store {} may only be read by you; change the rights of the file and of its folder", file_));
+        throw SystemError(
+            fmt::format("you may only read the store {}; change the rights of the file and of its folder", file_));
       case SQLITE_CANTOPEN:
         throw SystemError(
             fmt::format("the store {} cannot be opened; its folder must exist and be yours to write", file_));
       case SQLITE_NOTADB:
-        throw InputError(fmt::format("{} is no store of results; name another file with --store", file_));
+        throw InputError(fmt::format("{} is not a store of results; name another file with --store", file_));
       case SQLITE_CORRUPT:
         throw SystemError(fmt::format(
             "the store {} is damaged; put it aside and add the sessions again with 'bodkin results add'", file_));

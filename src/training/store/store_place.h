@@ -5,11 +5,11 @@
 
 namespace bodkin::training {
 
-// The store that is meant: `given`; where it is empty, that of the environment variable BODKIN_STORE; or else
-// results.sqlite in the person's data folder, which is made. Throws SystemError when that cannot be.
+// The store to use: `given`; if empty, that of the environment variable BODKIN_STORE; or else results.sqlite in the
+// person's data folder, which is created. Throws SystemError when that is impossible.
 std::string store_place(const std::string& given = {});
 
-// Where attempts of this station wait for stores: the folder outbox in the data folder, which is made.
+// The folder of this station's waiting attempts: outbox in the data folder, which is created.
 std::filesystem::path outbox_folder();
 
 }  // namespace bodkin::training

@@ -41,7 +41,7 @@ TEST(AttemptRecord, has_a_digest_of_what_was_recorded) {
   EXPECT_EQ(session_digest(one.session()), session_digest(same.session()));
   EXPECT_NE(session_digest(one.session()), session_digest(other.session()));
   EXPECT_NE(session_digest(one.session()), session_digest(later.session()));
-  // Two stations that were started in the same second, each with a hand that moved in the same way.
+  // Two stations started in the same second, with equal hand motions.
   one.session().header.recording_id = "0123456789abcdef0123456789abcdef";
   same.session().header.recording_id = "0123456789abcdef0123456789abcdf0";
   EXPECT_NE(session_digest(one.session()), session_digest(same.session()));

@@ -159,10 +159,10 @@ TEST_F(StoreFile, newer_than_the_program_is_left_as_it_is) {
 
 TEST_F(StoreFile, that_is_something_else_is_refused) {
   std::ofstream(place()) << std::string(5000, 'x');
-  EXPECT_THAT(refusal([&] { ResultStore store(place()); }), HasSubstr("is no store of results"));
+  EXPECT_THAT(refusal([&] { ResultStore store(place()); }), HasSubstr("is not a store of results"));
   const std::string other = (folder_.path() / "other.sqlite").string();
   connect_sqlite(other, 100ms)->change("CREATE TABLE songs(title TEXT)");
-  EXPECT_THAT(refusal([&] { ResultStore store(other); }), HasSubstr("is a database of something else"));
+  EXPECT_THAT(refusal([&] { ResultStore store(other); }), HasSubstr("is a database, but not of results"));
   EXPECT_THAT(refusal([&] { ResultStore store("/nowhere/at/all.sqlite"); }), HasSubstr("cannot be opened"));
 }
 
@@ -216,7 +216,7 @@ void keep_waiting(const std::string& place, const fs::path& folder, std::initial
 TEST_F(StoreFile, is_delivered_to_once_where_a_call_was_killed_before_it_forgot) {
   { ResultStore made(place()); }
   keep_waiting(place(), outbox_folder(), {1, 2});
-  ResultStore(place()).add(attempt_record("a", 1));  // the call that was killed had come so far
+  ResultStore(place()).add(attempt_record("a", 1));  // the killed call had already stored this
   Outbox outbox(place(), outbox_folder());
   EXPECT_EQ(outbox.deliver(), 2);
   EXPECT_EQ(outbox.deliver(), 0);
@@ -224,7 +224,7 @@ TEST_F(StoreFile, is_delivered_to_once_where_a_call_was_killed_before_it_forgot)
   EXPECT_EQ(outbox.waiting(), 0);
 }
 
-// A station that is used with two stores, of which one is away for a time.
+// A station used with two stores, one of which is unavailable for a time.
 TEST_F(StoreFile, gets_what_waits_for_it_and_another_store_gets_none_of_that) {
   const std::string second = place() + ".second";
   for (const std::string& each : {place(), second}) ResultStore made(each);
@@ -233,7 +233,7 @@ TEST_F(StoreFile, gets_what_waits_for_it_and_another_store_gets_none_of_that) {
   Outbox to_first(place(), outbox_folder()), to_second(second, outbox_folder());
   EXPECT_EQ(to_first.waiting(), 2);
   EXPECT_EQ(to_second.waiting(), 1);
-  // An attempt for the second takes along what waits for the second alone.
+  // Adding to the second store delivers only attempts waiting for that store.
   EXPECT_EQ(to_second.add(attempt_record("a", 4)).delivered, 1);
   EXPECT_EQ(ResultStore(second).summaries().size(), 2U);
   EXPECT_TRUE(ResultStore(place()).summaries().empty());
@@ -241,14 +241,14 @@ TEST_F(StoreFile, gets_what_waits_for_it_and_another_store_gets_none_of_that) {
   EXPECT_EQ(to_second.waiting_elsewhere()[0].store, place());
   EXPECT_EQ(to_second.waiting_elsewhere()[0].attempts, 2);
   EXPECT_EQ(to_second.deliver(), 0);
-  // The same store by another way of writing its path.
+  // The same store under another spelling of its path.
   const std::string roundabout = (folder_.path() / "outbox" / ".." / fs::path(place()).filename()).string();
   EXPECT_EQ(Outbox(roundabout, outbox_folder()).deliver(), 2);
   EXPECT_EQ(ResultStore(place()).summaries().size(), 2U);
   EXPECT_TRUE(to_second.waiting_elsewhere().empty());
 }
 
-// Which stage comes next only the store knows, which did not answer.
+// Only the store knows the next stage, and it did not answer.
 TEST_F(StoreFile, gives_an_attempt_that_waited_the_stage_that_it_has_when_it_is_delivered) {
   const PlanInUse plan = read_plan_in_use("lumbar_puncture_first_steps");
   const int first_stage_attempts = plan.plan.stages.front().attempts;
@@ -263,7 +263,7 @@ TEST_F(StoreFile, gives_an_attempt_that_waited_the_stage_that_it_has_when_it_is_
     EXPECT_EQ(outbox.add(late.front()).state, Delivery::State::waiting);
     other->roll_back();
   }
-  // Meanwhile another station brings what fills the first stage.
+  // Meanwhile another station fills the first stage.
   std::vector<AttemptRecord> earlier;
   for (int number = 1; number <= first_stage_attempts; ++number) {
     earlier.push_back(attempt_record("a", number));
@@ -340,8 +340,8 @@ TEST(CohortTable, counts_by_trainee_and_procedure) {
   EXPECT_DOUBLE_EQ(rows[1].score, 10.0);
 }
 
-// With 10 % and 30 % and chances of error of 10 % each, s is 0.186 and h0 1.627 by the formulas of cusum.h: the tenth
-// success without a failure (0.186 n > 1.627 from n = 9 on) has shown mastery, the eighth has not.
+// With 10 % and 30 % and error probabilities of 10 % each, s is 0.186 and h0 1.627 by the formulas of cusum.h: the
+// ninth success without a failure (0.186 n > 1.627 from n = 9 on) shows mastery, the eighth does not.
 TEST(CohortTable, sees_mastery_where_the_theory_says) {
   std::vector<AttemptSummary> attempts;
   for (int number = 0; number < 8; ++number)

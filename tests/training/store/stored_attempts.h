@@ -9,7 +9,7 @@
 
 namespace bodkin {
 
-// An attempt as nobody made it; `number` makes it different from others.
+// An invented attempt; `number` makes it unique.
 inline training::AttemptRecord attempt_record(const std::string& trainee, int number,
                                               training::Grade verdict = training::Grade::pass,
                                               const std::string& procedure = "lumbar_puncture") {

@@ -11,9 +11,9 @@ namespace bodkin::training {
 namespace {
 
 constexpr const char* schema_name = "bodkin";
-constexpr std::int64_t lock_number = 0x42444B52;  // of everybody who changes a store; any number of ours would do
+constexpr std::int64_t lock_number = 0x42444B52;  // shared by all who change a store; the number is arbitrary
 
-// The first line of what the server says.
+// The first line of the server's message.
 std::string first_line(const std::string& text) {
   std::string line = text.substr(0, text.find('\n'));
   while (!line.empty() && (line.back() == ' ' || line.back() == '.')) line.pop_back();
@@ -76,7 +76,7 @@ class PostgresqlConnection final : public SqlConnection {
     change_.reset();
   }
   void roll_back() noexcept override { change_.reset(); }
-  // The server reuses the place of deleted rows after its own cleaning; this orders it now.
+  // The server reuses the space of deleted rows after its own cleaning; this requests it now.
   void wipe() override {
     guarded([&] {
       pqxx::nontransaction now(*connection_);
@@ -107,7 +107,7 @@ class PostgresqlConnection final : public SqlConnection {
     } catch (const pqxx::in_doubt_error&) {
       change_.reset();
       throw StoreUnreachable(fmt::format(
-          "the store {} went away while it saved; adding again is safe, for nothing is kept twice", place_));
+          "the store {} disconnected while it saved; adding again is safe, because nothing is kept twice", place_));
     } catch (const pqxx::sql_error& error) {
       throw_sentence(error);
     } catch (const pqxx::failure& error) {

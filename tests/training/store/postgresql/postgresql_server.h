@@ -14,8 +14,8 @@
 
 namespace bodkin {
 
-// A PostgreSQL server of the test's own, on a free port of this machine; removed with its data. The server refuses to
-// run as root, so root runs it as the user postgres.
+// A PostgreSQL server for the test, on a free port of this computer; removed with its data. The server refuses to run
+// as root, so root runs it as the user postgres.
 class PostgresqlServer {
  public:
   PostgresqlServer() {
@@ -55,7 +55,7 @@ class PostgresqlServer {
   PostgresqlServer(const PostgresqlServer&) = delete;
   PostgresqlServer& operator=(const PostgresqlServer&) = delete;
 
-  // Why there is none; empty: it runs.
+  // Why no server runs; empty: it runs.
   const std::string& missing() const { return missing_; }
   std::string url() const { return fmt::format("postgresql://postgres:secret@127.0.0.1:{}/postgres", port_); }
 

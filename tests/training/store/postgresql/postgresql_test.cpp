@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using std::chrono_literals::operator""ms;
 
-// The store on a real server, which is started for these tests.
+// The store on a real server, started for these tests.
 class StoreServer : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { server_ = std::make_unique<PostgresqlServer>(); }

@@ -1,4 +1,4 @@
-#include "training/taken_out.h"
+#include "training/needle_withdrawal.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ using namespace bodkin::training;
 
 namespace {
 
-// An attempt of a procedure whose target lies 40 mm deep under the origin, told moment by moment.
+// An attempt of a procedure whose target lies 40 mm below the origin, given step by step.
 class WatchedNeedle {
  public:
   explicit WatchedNeedle(const training::Procedure& procedure) {
@@ -22,7 +22,7 @@ class WatchedNeedle {
   }
   explicit WatchedNeedle(const char* procedure) : WatchedNeedle(find_procedure(procedure)) {}
 
-  // For so long, s.
+  // `duration`: s.
   void inside(double depth, double duration, anatomy::TissueId tissue = anatomy::tissue::muscle) {
     go({.is_inside = true, .tissue = tissue, .tip = Vec3(0, -depth, 0)}, duration);
   }
@@ -35,7 +35,7 @@ class WatchedNeedle {
   std::optional<double> remaining() const { return watch_.remaining(); }
 
  private:
-  void go(TakenOut::Moment moment, double duration) {
+  void go(NeedleWithdrawal::Moment moment, double duration) {
     for (const double end = time_ + duration; time_ < end - 1e-9; time_ += step) {
       moment.time = time_;
       watch_.follow(moment);
@@ -45,11 +45,11 @@ class WatchedNeedle {
   }
 
   static constexpr double step = 0.0625;  // s
-  TakenOut watch_;
+  NeedleWithdrawal watch_;
   double time_ = 3.0;
 };
 
-TEST(TakenOut, ends_an_acupuncture_five_seconds_after_the_needle_has_left_the_body) {
+TEST(NeedleWithdrawal, ends_an_acupuncture_five_seconds_after_the_needle_has_left_the_body) {
   WatchedNeedle needle("acupuncture");
   needle.outside(20.0);
   EXPECT_FALSE(needle.remaining()) << "it has not been in";
@@ -65,7 +65,7 @@ TEST(TakenOut, ends_an_acupuncture_five_seconds_after_the_needle_has_left_the_bo
   EXPECT_EQ(needle.remaining(), 0.0);
 }
 
-TEST(TakenOut, begins_anew_when_the_needle_comes_to_the_skin_again) {
+TEST(NeedleWithdrawal, begins_anew_when_the_needle_comes_to_the_skin_again) {
   WatchedNeedle needle("acupuncture");
   needle.inside(10.0, 1.0);
   needle.outside(4.5);
@@ -75,7 +75,7 @@ TEST(TakenOut, begins_anew_when_the_needle_comes_to_the_skin_again) {
   EXPECT_DOUBLE_EQ(needle.remaining().value_or(-1.0), 4.0);
 }
 
-TEST(TakenOut, lets_a_needle_that_has_missed_go_in_again) {
+TEST(NeedleWithdrawal, lets_a_needle_that_has_missed_go_in_again) {
   for (const char* procedure : {"lumbar_puncture", "epidural", "needle_insertion", "ultrasound_guided_injection"}) {
     WatchedNeedle needle(procedure);
     needle.inside(30.0, 3.0);
@@ -84,7 +84,7 @@ TEST(TakenOut, lets_a_needle_that_has_missed_go_in_again) {
   }
 }
 
-TEST(TakenOut, ends_an_attempt_whose_tip_was_within_the_tolerance_of_its_target) {
+TEST(NeedleWithdrawal, ends_an_attempt_whose_tip_was_within_the_tolerance_of_its_target) {
   for (const double depth : {36.5, 37.5, 42.5, 43.5}) {
     WatchedNeedle needle("needle_insertion");
     needle.inside(depth, 1.0);
@@ -94,12 +94,12 @@ TEST(TakenOut, ends_an_attempt_whose_tip_was_within_the_tolerance_of_its_target)
   }
 }
 
-TEST(TakenOut, ends_a_lumbar_puncture_that_was_in_the_sac_or_had_fluid) {
+TEST(NeedleWithdrawal, ends_a_lumbar_puncture_that_was_in_the_sac_or_had_fluid) {
   WatchedNeedle in_sac("lumbar_puncture");
   in_sac.inside(45.0, 1.0, anatomy::tissue::cerebrospinal_fluid);
   in_sac.outside(5.0);
   EXPECT_EQ(in_sac.remaining(), 0.0);
-  // Through the sac between two moments.
+  // Through the sac between two steps.
   WatchedNeedle quick("lumbar_puncture");
   quick.happens(forces::EventKind::tissue_entered, anatomy::tissue::cerebrospinal_fluid);
   quick.outside(5.0);
@@ -114,18 +114,18 @@ TEST(TakenOut, ends_a_lumbar_puncture_that_was_in_the_sac_or_had_fluid) {
   EXPECT_FALSE(elsewhere.remaining());
 }
 
-TEST(TakenOut, is_what_the_procedure_s_file_says) {
+TEST(NeedleWithdrawal, is_what_the_procedure_s_file_says) {
   const std::string file =
       R"(<procedure version="1" name="own" title="Own"%><description>d</description><goal by="near_target"/></procedure>)";
   const auto with = [&file](const std::string& attribute) {
     std::string text = file;
-    return parse_procedure(text.replace(text.find('%'), 1, attribute), "own.xml").taken_out_ends;
+    return parse_procedure(text.replace(text.find('%'), 1, attribute), "own.xml").withdrawal_ends;
   };
-  EXPECT_EQ(with(""), TakenOutEnds::after_goal);
-  EXPECT_EQ(with(R"( taken_out_ends="always")"), TakenOutEnds::always);
-  ASSERT_EQ(with(R"( taken_out_ends="never")"), TakenOutEnds::never);
+  EXPECT_EQ(with(""), WithdrawalEnds::after_goal);
+  EXPECT_EQ(with(R"( taken_out_ends="always")"), WithdrawalEnds::always);
+  ASSERT_EQ(with(R"( taken_out_ends="never")"), WithdrawalEnds::never);
   training::Procedure never = find_procedure("acupuncture");
-  never.taken_out_ends = TakenOutEnds::never;
+  never.withdrawal_ends = WithdrawalEnds::never;
   WatchedNeedle needle(never);
   needle.inside(40.0, 1.0);
   needle.outside(60.0);

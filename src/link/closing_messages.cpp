@@ -1,4 +1,4 @@
-#include "link/farewell.h"
+#include "link/closing_messages.h"
 
 #include <array>
 #include <chrono>
@@ -19,18 +19,18 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr int most_under_way = 16;
+constexpr int most_pending = 16;
 constexpr std::chrono::milliseconds longest{500};
 
-// Keeps itself alive through its handlers.
-struct Farewell : std::enable_shared_from_this<Farewell> {
-  Farewell(tcp::socket from, asio::io_context& context, Bytes text, std::shared_ptr<int> among)
-      : socket(std::move(from)), timer(context), status(std::move(text)), count(std::move(among)) {
+// Kept alive by its handlers.
+struct ClosingMessage : std::enable_shared_from_this<ClosingMessage> {
+  ClosingMessage(tcp::socket from, asio::io_context& context, Bytes text, std::shared_ptr<int> pending)
+      : socket(std::move(from)), timer(context), status(std::move(text)), count(std::move(pending)) {
     ++*count;
   }
-  ~Farewell() { --*count; }
-  Farewell(const Farewell&) = delete;
-  Farewell& operator=(const Farewell&) = delete;
+  ~ClosingMessage() { --*count; }
+  ClosingMessage(const ClosingMessage&) = delete;
+  ClosingMessage& operator=(const ClosingMessage&) = delete;
 
   void begin() {
     timer.expires_after(longest);
@@ -42,7 +42,7 @@ struct Farewell : std::enable_shared_from_this<Farewell> {
                         self->drain();
                       });
   }
-  // A socket that is closed with bytes unread takes back what it has just sent.
+  // Closing a socket with unread bytes discards the data just sent.
   void drain() {
     socket.async_read_some(asio::buffer(rest),
                            [self = shared_from_this()](const error_code& ended, std::size_t /*size*/) {
@@ -64,17 +64,17 @@ struct Farewell : std::enable_shared_from_this<Farewell> {
 
 }  // namespace
 
-void Farewells::say(int socket, std::uint16_t code, const std::string& why) {
-  tcp::socket taken(context_);
+void ClosingMessages::send(int socket, std::uint16_t code, const std::string& why) {
+  tcp::socket owned(context_);
   error_code refused;
-  taken.assign(tcp::v4(), socket, refused);  // what is asked of it is the same for either protocol
+  owned.assign(tcp::v4(), socket, refused);  // what is asked of it is the same for either protocol
   if (refused) {
     ::close(socket);
     return;
   }
-  if (*under_way_ >= most_under_way) return;  // closed with `taken`
+  if (*pending_ >= most_pending) return;  // closed with `owned`
   Bytes status = pack({"STATUS", "Bodkin", time_now(), status_content(code, "", why)});
-  std::make_shared<Farewell>(std::move(taken), context_, std::move(status), under_way_)->begin();
+  std::make_shared<ClosingMessage>(std::move(owned), context_, std::move(status), pending_)->begin();
 }
 
 }  // namespace bodkin::link

@@ -1,4 +1,4 @@
-#include "station/felt_numbers.h"
+#include "station/adjustable_tick.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t lead_in = 100;         // ticks before the skin was touched
 constexpr std::chrono::milliseconds nap{1};  // between two looks at the servo
-constexpr std::size_t at_once = 4096;        // inputs that are copied
+constexpr std::size_t at_once = 4096;        // inputs copied at a time
 
 bool has(const forces::TickEvents& events, forces::EventKind kind) {
   return std::any_of(events.begin(), events.end(), [kind](const forces::Event& event) { return event.kind == kind; });
@@ -33,7 +33,7 @@ void InsertionInputs::keep(const simulation::TickRecord& record) {
   if (is_in_ && (!follows || inputs_.size() >= most)) is_incomplete_ = true;
   if (has(record.output.events, forces::EventKind::withdrawn)) is_in_ = is_incomplete_ = false;
   if (!follows || is_incomplete_) {
-    // After a gap it is that after the tick: a millisecond does not matter where ticks were lost.
+    // After a gap it is the input after the tick: a millisecond does not matter where ticks were lost.
     before_ = follows && !breaths_.empty() ? breaths_.back() : record.output.breath;
     inputs_.clear();
     breaths_.clear();
@@ -76,7 +76,7 @@ std::vector<simulation::TickInput> InsertionInputs::from(std::uint64_t tick, std
           begin + static_cast<std::ptrdiff_t>(std::min(count, static_cast<std::size_t>(inputs_.end() - begin)))};
 }
 
-FeltNumbers::Next::Next(const anatomy::Case& from, session::NumberChange made)
+AdjustableTick::Next::Next(const anatomy::Case& from, session::NumberChange made)
     : change(std::move(made)),
       patient([&] {
         anatomy::Case with = from;
@@ -85,17 +85,17 @@ FeltNumbers::Next::Next(const anatomy::Case& from, session::NumberChange made)
       }()),
       tick(patient) {}
 
-FeltNumbers::FeltNumbers(std::shared_ptr<const anatomy::Case> patient, simulation::HapticTick& first)
+AdjustableTick::AdjustableTick(std::shared_ptr<const anatomy::Case> patient, simulation::HapticTick& first)
     : patient_(std::move(patient)),
-      felt_(first),
+      current_(first),
       body_(first.body()),
       diagnostics_(first.diagnostic_names().begin(), first.diagnostic_names().end()) {}
 
-FeltNumbers::~FeltNumbers() {
+AdjustableTick::~AdjustableTick() {
   stop();
 }
 
-simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::TickInput& input) noexcept {
+simulation::TickOutput AdjustableTick::step(std::uint64_t tick, const simulation::TickInput& input) noexcept {
   if (Next* const next = offered_.load(std::memory_order_acquire); next != nullptr) {
     const bool missed = tick - next->next >= recent_ticks;
     for (int i = 0; i < catch_up && !missed && next->next < tick; ++i)
@@ -103,39 +103,39 @@ simulation::TickOutput FeltNumbers::step(std::uint64_t tick, const simulation::T
     if (missed) {
       next->state.store(Next::State::missed, std::memory_order_release);
       offered_.store(nullptr, std::memory_order_release);
-    } else if (next->next == tick && felt_.take(next->tick)) {
+    } else if (next->next == tick && current_.switch_to(next->tick)) {
       next->change.tick = tick;
       settling_ = next;
-      ++taken_;
-      next->state.store(Next::State::taken, std::memory_order_release);
+      ++applied_changes_;
+      next->state.store(Next::State::applied, std::memory_order_release);
       offered_.store(nullptr, std::memory_order_release);
     }
   }
   if (NextContact* const next = offered_contact_.load(std::memory_order_acquire); next != nullptr) {
     body_->change_numbers(next->numbers);
     next->change.tick = next->change.from_tick = tick;
-    ++taken_;
+    ++applied_changes_;
     offered_contact_.store(nullptr, std::memory_order_relaxed);
-    next->is_taken.store(true, std::memory_order_release);
+    next->is_applied.store(true, std::memory_order_release);
   }
   recent_[tick % recent_ticks] = input;
-  simulation::TickOutput output = felt_.step(input);
-  if (settling_ != nullptr && !felt_.is_settling())
+  simulation::TickOutput output = current_.step(input);
+  if (settling_ != nullptr && !current_.is_settling())
     std::exchange(settling_, nullptr)->state.store(Next::State::settled, std::memory_order_release);
   return output;
 }
 
-void FeltNumbers::order(const anatomy::HapticSettings& haptics, const std::vector<anatomy::TissueProperties>& tissues,
-                        Note note) {
+void AdjustableTick::request_change(const anatomy::HapticSettings& haptics,
+                                    const std::vector<anatomy::TissueProperties>& tissues, Note note) {
   if (body_ != nullptr &&
       !simulation::differ_in_contact_alone(patient_->description.haptics, forces::model_settings(*patient_).tissues,
                                            haptics, tissues)) {
     throw InputError(
-        "the deformable body has such numbers from the next attempt on, for it is prepared with them; its capture "
-        "radius, times, friction and puncture forces act at once");
+        "this takes effect from the next attempt on, because the deformable body is prepared with it; its capture "
+        "radius, times, friction and puncture forces take effect at once");
   }
   if (haptics.rate != patient_->description.haptics.rate)
-    throw InputError("another rate holds from the next attempt on");
+    throw InputError("another rate takes effect from the next attempt on");
   {
     const std::lock_guard guard(lock_);
     if (stopping_) return;
@@ -148,12 +148,12 @@ void FeltNumbers::order(const anatomy::HapticSettings& haptics, const std::vecto
   changed_.notify_one();
 }
 
-std::string FeltNumbers::take_refusal() {
+std::string AdjustableTick::take_refusal() {
   const std::lock_guard guard(lock_);
   return std::exchange(refusal_, {});
 }
 
-void FeltNumbers::stop() {
+void AdjustableTick::stop() {
   {
     const std::lock_guard guard(lock_);
     stopping_ = true;
@@ -162,12 +162,12 @@ void FeltNumbers::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-bool FeltNumbers::is_over() const {
+bool AdjustableTick::is_over() const {
   const std::lock_guard guard(lock_);
   return stopping_;
 }
 
-void FeltNumbers::work() {
+void AdjustableTick::work() {
   for (;;) {
     session::NumberChange change;
     {
@@ -179,9 +179,9 @@ void FeltNumbers::work() {
     }
     try {
       if (body_ != nullptr)
-        bring_in_contact(change);
+        prepare_contact(change);
       else
-        bring_in(change);
+        prepare_tick(change);
     } catch (const InputError& refused) {
       const std::lock_guard guard(lock_);
       refusal_ = refused.what();
@@ -189,7 +189,7 @@ void FeltNumbers::work() {
   }
 }
 
-void FeltNumbers::bring_in(const session::NumberChange& change) {
+void AdjustableTick::prepare_tick(const session::NumberChange& change) {
   while (!is_over()) {
     if (inputs_.is_incomplete()) {
       throw InputError(
@@ -199,15 +199,15 @@ void FeltNumbers::bring_in(const session::NumberChange& change) {
     }
     auto next = std::make_unique<Next>(*patient_, change);
     if (next->tick.body() != nullptr || !are_same(next->tick.diagnostic_names(), diagnostics_))
-      throw InputError("another force model is felt from the next attempt on");
+      throw InputError("another force model takes effect from the next attempt on");
     if (!lead(*next)) continue;
     offered_.store(next.get(), std::memory_order_release);
     if (wait_for(std::move(next))) return;
   }
 }
 
-void FeltNumbers::bring_in_contact(const session::NumberChange& change) {
-  contact_ = std::make_unique<NextContact>();  // the servo is done with the one before
+void AdjustableTick::prepare_contact(const session::NumberChange& change) {
+  contact_ = std::make_unique<NextContact>();  // the servo has finished with the one before
   NextContact* const next = contact_.get();
   next->change = change;
   anatomy::Case with;
@@ -216,12 +216,12 @@ void FeltNumbers::bring_in_contact(const session::NumberChange& change) {
   session::apply(change, with);
   next->numbers = simulation::contact_numbers(with);
   offered_contact_.store(next, std::memory_order_release);
-  while (!next->is_taken.load(std::memory_order_acquire) && !is_over()) std::this_thread::sleep_for(nap);
-  if (next->is_taken.load(std::memory_order_acquire)) note_(next->change);
+  while (!next->is_applied.load(std::memory_order_acquire) && !is_over()) std::this_thread::sleep_for(nap);
+  if (next->is_applied.load(std::memory_order_acquire)) note_(next->change);
 }
 
-// Through the inputs that there are; false: there is none yet.
-bool FeltNumbers::lead(Next& next) const {
+// Processes the available inputs; false: there are none yet.
+bool AdjustableTick::lead(Next& next) const {
   const std::optional<InsertionInputs::Begin> first = inputs_.first();
   if (!first) {
     std::this_thread::sleep_for(nap);
@@ -229,28 +229,28 @@ bool FeltNumbers::lead(Next& next) const {
   }
   next.change.from_tick = next.next = first->tick;
   next.tick.set_breath(first->breath);
-  for (std::size_t taken = at_once; taken == at_once;) {
+  for (std::size_t count = at_once; count == at_once;) {
     const std::vector<simulation::TickInput> inputs = inputs_.from(next.next, at_once);
     for (const simulation::TickInput& input : inputs) next.tick.step(input);
-    taken = inputs.size();
-    next.next += taken;
+    count = inputs.size();
+    next.next += count;
   }
   return true;
 }
 
-// Until it acts and the one before has faded. False: the servo was too far ahead.
-bool FeltNumbers::wait_for(std::unique_ptr<Next> next) {
+// Waits until it acts and the one before has faded. False: the servo was too far ahead.
+bool AdjustableTick::wait_for(std::unique_ptr<Next> next) {
   using State = Next::State;
   for (bool is_noted = false;;) {
-    const bool over = is_over();  // asked before the state, so that what acted at the end is noted
+    const bool over = is_over();  // read before the state, so that a change active at the end is noted
     const State state = next->state.load(std::memory_order_acquire);
-    const bool acts = state == State::taken || state == State::settled;
+    const bool acts = state == State::applied || state == State::settled;
     if (acts && !std::exchange(is_noted, true)) note_(next->change);
     if (state == State::missed) return false;
     if (state == State::settled || over) break;
     std::this_thread::sleep_for(nap);
   }
-  // What a servo that has been left behind may still look at stays until it is gone.
+  // Data that an abandoned servo may still read are kept until it ends.
   offered_.store(nullptr, std::memory_order_release);
   before_ = std::exchange(now_, std::move(next));
   if (!is_over()) before_.reset();

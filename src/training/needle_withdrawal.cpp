@@ -1,4 +1,4 @@
-#include "training/taken_out.h"
+#include "training/needle_withdrawal.h"
 
 #include <algorithm>
 
@@ -6,8 +6,9 @@
 
 namespace bodkin::training {
 
-TakenOut::TakenOut(const Procedure& procedure, const anatomy::Case& patient, const std::optional<Vec3>& target)
-    : when_(procedure.taken_out_ends), target_(target) {
+NeedleWithdrawal::NeedleWithdrawal(const Procedure& procedure, const anatomy::Case& patient,
+                                   const std::optional<Vec3>& target)
+    : when_(procedure.withdrawal_ends), target_(target) {
   for (const Goal& goal : procedure.goals) {
     const anatomy::TissueProperties* const tissue = goal.tissue.empty() ? nullptr : patient.library.find(goal.tissue);
     if (tissue != nullptr) tissues_.push_back(tissue->id);
@@ -17,7 +18,7 @@ TakenOut::TakenOut(const Procedure& procedure, const anatomy::Case& patient, con
   }
 }
 
-bool TakenOut::reaches_goal(const Moment& moment) const {
+bool NeedleWithdrawal::reaches_goal(const Moment& moment) const {
   const auto is_goal = [&](anatomy::TissueId tissue) {
     return std::find(tissues_.begin(), tissues_.end(), tissue) != tissues_.end();
   };
@@ -30,11 +31,11 @@ bool TakenOut::reaches_goal(const Moment& moment) const {
   return is_goal(moment.tissue) || (target_ && (moment.tip - *target_).norm() <= within_);
 }
 
-void TakenOut::follow(const Moment& moment) {
+void NeedleWithdrawal::follow(const Moment& moment) {
   was_inside_ = was_inside_ || moment.is_inside;
   reached_ = reached_ || reaches_goal(moment);
   remaining_.reset();
-  const bool may_end = when_ == TakenOutEnds::always || (when_ == TakenOutEnds::after_goal && reached_);
+  const bool may_end = when_ == WithdrawalEnds::always || (when_ == WithdrawalEnds::after_goal && reached_);
   if (!moment.is_outside || !was_inside_ || !may_end) return outside_since_.reset();
   if (!outside_since_) outside_since_ = moment.time;
   remaining_ = std::max(0.0, patience - (moment.time - *outside_since_));

@@ -1,5 +1,5 @@
 // The numbers of the force model, changed while a needle is in the body.
-#include "station/felt_numbers.h"
+#include "station/adjustable_tick.h"
 
 #include "session/replay.h"
 #include "station/station.h"
@@ -30,10 +30,10 @@ std::uint64_t first_tick(const InsertionInputs& inputs) {
   return first ? first->tick : 0;
 }
 
-// What a tick that goes through them begins with: the breath before the first one.
+// The initial state of a tick that processes them: the breath before the first one.
 TEST(InsertionInputs, keep_the_breath_before_them) {
   InsertionInputs inputs;
-  anatomy::BreathMoment breath;
+  anatomy::BreathState breath;
   for (std::uint64_t tick = 0; tick < 5000; ++tick) {
     simulation::TickRecord record = record_of(tick);
     breath.phase = tick + 1;
@@ -69,9 +69,9 @@ TEST(InsertionInputs, says_that_ticks_of_an_insertion_are_missing_until_it_is_ov
   EXPECT_FALSE(inputs.is_incomplete());
 }
 
-class FeltNumbersTest : public ::testing::Test {
+class ChangedNumbersTest : public ::testing::Test {
  protected:
-  FeltNumbersTest() : patient_(slab_case({{tissue::skin, 2.0}, {tissue::fat, 12.0}, {tissue::muscle, 36.0}})) {
+  ChangedNumbersTest() : patient_(slab_case({{tissue::skin, 2.0}, {tissue::fat, 12.0}, {tissue::muscle, 36.0}})) {
     patient_.description.device.peak_force = 9.0;
     folder_.write("case.xml", "<case/>");
   }
@@ -105,7 +105,7 @@ class FeltNumbersTest : public ::testing::Test {
 
 struct Silent : StationObserver {};
 
-void FeltNumbersTest::expect_that_changes_are_felt_and_replay() {
+void ChangedNumbersTest::expect_that_changes_are_felt_and_replay() {
   Silent observer;
   Station station(options(), observer);
   station.start();
@@ -134,7 +134,7 @@ void FeltNumbersTest::expect_that_changes_are_felt_and_replay() {
   const ReplayResult replayed = replay_session(session, patient, {}, nullptr);
   EXPECT_FALSE(replayed.difference.has_value()) << replayed.difference->field << " at " << replayed.difference->tick;
   EXPECT_EQ(replayed.ticks, session.ticks.size());
-  // Without the changes it is another force: the needle did feel them.
+  // Without the changes the force differs: the needle did feel them.
   Session without = session;
   without.changes.clear();
   const ReplayResult differs = replay_session(without, patient, {}, nullptr);
@@ -142,12 +142,12 @@ void FeltNumbersTest::expect_that_changes_are_felt_and_replay() {
   EXPECT_GE(differs.difference->tick, session.changes.front().tick);
 }
 
-TEST_F(FeltNumbersTest, are_felt_within_an_insertion_and_the_recording_replays_to_the_bit) {
+TEST_F(ChangedNumbersTest, are_felt_within_an_insertion_and_the_recording_replays_to_the_bit) {
   expect_that_changes_are_felt_and_replay();
 }
 
 // The tick that takes over breathes on where the one before was, though it has not gone through all that was before.
-TEST_F(FeltNumbersTest, are_felt_so_while_the_patient_breathes) {
+TEST_F(ChangedNumbersTest, are_felt_so_while_the_patient_breathes) {
   anatomy::Breathing& breathing = patient_.description.breathing.emplace();
   breathing.rate = 37.0;
   breathing.motion = Vec3(4.0, 0.0, 0.5);
@@ -155,19 +155,19 @@ TEST_F(FeltNumbersTest, are_felt_so_while_the_patient_breathes) {
   expect_that_changes_are_felt_and_replay();
 }
 
-TEST_F(FeltNumbersTest, are_felt_so_where_the_forces_follow_from_the_needle) {
+TEST_F(ChangedNumbersTest, are_felt_so_where_the_forces_follow_from_the_needle) {
   patient_.description.haptics.mechanics = anatomy::Mechanics::physical;
   expect_that_changes_are_felt_and_replay();
 }
 
-TEST_F(FeltNumbersTest, of_another_model_or_rate_wait_for_the_next_attempt) {
+TEST_F(ChangedNumbersTest, of_another_model_or_rate_wait_for_the_next_attempt) {
   Silent observer;
   Station station(options(), observer);
   station.start();
   HapticSettings other = patient_.description.haptics;
   other.rate = 2000.0;
   station.change_numbers(other, tissues(1.0));
-  EXPECT_EQ(station.update().message, "another rate holds from the next attempt on");
+  EXPECT_EQ(station.update().message, "another rate takes effect from the next attempt on");
   other = patient_.description.haptics;
   other.resistance = TrackingWallSettings{};
   station.change_numbers(other, tissues(1.0));
@@ -176,13 +176,13 @@ TEST_F(FeltNumbersTest, of_another_model_or_rate_wait_for_the_next_attempt) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     said = station.update().message;
   }
-  EXPECT_EQ(said, "another force model is felt from the next attempt on");
+  EXPECT_EQ(said, "another force model takes effect from the next attempt on");
   station.end();
   station.finish();
   EXPECT_TRUE(recorded().changes.empty());
 }
 
-TEST_F(FeltNumbersTest, come_back_from_the_session_file_as_they_were) {
+TEST_F(ChangedNumbersTest, come_back_from_the_session_file_as_they_were) {
   NumberChange change{7, 3, patient_.description.haptics, changed_tissues(tissues(1.7), patient_.library)};
   ASSERT_GE(change.tissues.size(), 3U);
   NumberChange read;

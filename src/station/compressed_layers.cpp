@@ -1,4 +1,4 @@
-#include "station/pressed_layers.h"
+#include "station/compressed_layers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ constexpr int pressed_lines = 65;
 
 }  // namespace
 
-PressedLayers::PressedLayers(std::shared_ptr<const imaging::AcousticVolume> patient, anatomy::UltrasoundProbe probe)
+CompressedLayers::CompressedLayers(std::shared_ptr<const imaging::AcousticVolume> patient,
+                                   anatomy::UltrasoundProbe probe)
     : patient_(std::move(patient)), probe_(std::move(probe)) {
   settings_.depth = 0.0;
   detail_.lines = pressed_lines;
@@ -21,7 +22,7 @@ PressedLayers::PressedLayers(std::shared_ptr<const imaging::AcousticVolume> pati
   by_line_.resize(pressed_lines);
 }
 
-void PressedLayers::settle(const Pose& pose, double depth, bool gel) {
+void CompressedLayers::settle(const Pose& pose, double depth, bool gel) {
   if (depth != settings_.depth) {
     settings_.depth = depth;
     lines_ = imaging::scan_lines(probe_, settings_, detail_);
@@ -39,7 +40,7 @@ void PressedLayers::settle(const Pose& pose, double depth, bool gel) {
   if (press_ > 0.0) compression_.settle(*patient_, pose, press_);
 }
 
-Vec3 PressedLayers::moved(const Vec3& place) const noexcept {
+Vec3 CompressedLayers::moved(const Vec3& place) const noexcept {
   if (press_ <= 0.0) return Vec3::Zero();
   const Eigen::Vector2d at = lines_.place(place);
   const double line = std::clamp(at.x(), 0.0, lines_.lines - 1.0);

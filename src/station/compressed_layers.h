@@ -9,17 +9,17 @@
 
 namespace bodkin::station {
 
-// How tissue under a probe gives way in the slice, as Ultrasound has it where it is given no displacement: layer by
-// layer along every line. For pictures that add to it what a needle does.
-class PressedLayers {
+// Compression of the tissue under a probe in the slice, as Ultrasound computes it without a displacement field: layer
+// by layer along every line. For images to which a needle's effect is added.
+class CompressedLayers {
  public:
-  PressedLayers(std::shared_ptr<const imaging::AcousticVolume> patient, anatomy::UltrasoundProbe probe);
+  CompressedLayers(std::shared_ptr<const imaging::AcousticVolume> patient, anatomy::UltrasoundProbe probe);
 
-  // The probe at `pose`, its picture `depth` mm deep.
+  // Sets the probe to `pose`, its image `depth` mm deep.
   void settle(const Pose& pose, double depth, bool gel);
-  // Anything has moved.
+  // Whether anything has moved.
   bool pressed() const noexcept { return press_ > 0.0; }
-  // mm, patient axes: how what now is at a place of the slice (mm, probe's frame) has moved.
+  // mm, patient axes: displacement of the tissue that is now at a point of the slice (mm, probe's frame).
   Vec3 moved(const Vec3& place) const noexcept;
 
  private:
@@ -31,7 +31,7 @@ class PressedLayers {
   imaging::ScanLines lines_;
   std::vector<Vec3> origins_, directions_;  // of the lines, probe's frame
   std::vector<float> gap_, by_line_;        // mm, of every line
-  double press_ = 0.0;                      // mm, at the middle; 0: nothing moves
+  double press_ = 0.0;                      // mm, at the middle; 0: no compression
   Pose pose_ = Pose::Identity();
 };
 

@@ -1,4 +1,4 @@
-#include "tracking/calibration_words.h"
+#include "tracking/calibration_texts.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ const char* what_to_do(PictureUse use) {
 
 }  // namespace
 
-std::string CalibrationWords::of(PictureUse use, double time) {
+std::string CalibrationTexts::of(PictureUse use, double time) {
   if (use != use_) next_ = time + a_while;
   use_ = use;
   if (use == PictureUse::kept || time < next_) return {};

@@ -1,4 +1,4 @@
-#include "session/moved_body.h"
+#include "session/body_displacement.h"
 
 #include <algorithm>
 
@@ -44,27 +44,27 @@ void check_moved_body(const Session& session) {
            event.event.kind == forces::EventKind::moving_body_failed;
   };
   const auto first = std::find_if(session.events.begin(), session.events.end(), moved);
-  if (session.body_taken.empty() && first == session.events.end()) return;
-  const std::vector<BodyTaken>& taken = session.body_taken;
-  bool whole = !taken.empty() && taken.back().step <= session.body_steps.size();
-  for (std::size_t i = 0; whole && i < taken.size(); ++i) whole = taken[i].number == i;
-  for (std::size_t i = 0; whole && i < taken.back().step; ++i) whole = session.body_steps[i].step == i + 1;
-  if (whole) return;
-  const std::uint64_t tick = first != session.events.end() ? first->tick : taken.front().tick;
-  throw InputError(fmt::format(
-      "the session cannot be recomputed: at {:.3f} s its needle met a body that moved by itself (--body moving), of "
-      "which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt",
-      static_cast<double>(tick) * session.header.dt));
+  if (session.applied_body_steps.empty() && first == session.events.end()) return;
+  const std::vector<AppliedBodyStep>& applied = session.applied_body_steps;
+  bool complete = !applied.empty() && applied.back().step <= session.body_steps.size();
+  for (std::size_t i = 0; complete && i < applied.size(); ++i) complete = applied[i].number == i;
+  for (std::size_t i = 0; complete && i < applied.back().step; ++i) complete = session.body_steps[i].step == i + 1;
+  if (complete) return;
+  const std::uint64_t tick = first != session.events.end() ? first->tick : applied.front().tick;
+  throw InputError(
+      fmt::format("the session cannot be recomputed: at {:.3f} s its needle met a moving body (--body moving), of "
+                  "which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt",
+                  static_cast<double>(tick) * session.header.dt));
 }
 
-MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, simulation::BodyPort* port)
-    : session_(session), next_(session.body_taken.begin()) {
+BodyDisplacement::BodyDisplacement(const Session& session, const fem::BodyDescription* body,
+                                   simulation::BodyPort* port)
+    : session_(session), next_(session.applied_body_steps.begin()) {
   check_moved_body(session);
-  if (session.body_taken.empty()) return;
+  if (session.applied_body_steps.empty()) return;
   if (body == nullptr || port == nullptr) {
     throw InputError(
-        "the session's needle met a body that moved by itself, but there is no deformable body here; replay it with "
-        "its own case");
+        "the session's needle met a moving body, but there is no deformable body here; replay it with its own case");
   }
   solver_ = std::make_unique<fem::DeformableBodySolver>(
       *body, moving_body_settings(session.header.moving_body, session.header.left_needles));
@@ -72,29 +72,28 @@ MovedBody::MovedBody(const Session& session, const fem::BodyDescription* body, s
   motion_ = std::make_shared<fem::BodyMotion>(field_);
   if (!port->move_with(motion_)) {
     throw InputError(
-        "the session's needle met a body that moved by itself, which its resistance does not feel here; record it "
-        "again");
+        "the session's needle met a moving body, which its resistance does not feel here; record it again");
   }
 }
 
-void MovedBody::step() noexcept {
+void BodyDisplacement::step() noexcept {
   const fem::BodyStep& recorded = session_.body_steps[field_.step];
   failed_ = solver_->step(recorded.probe).fault || failed_;
   fem::read_field(*solver_, failed_, field_);
   if (different_ == 0 && fem::digest_of(field_.moved) != recorded.digest) different_ = field_.step;
 }
 
-void MovedBody::prepare_for(std::uint64_t tick) noexcept {
-  if (solver_ == nullptr || next_ == session_.body_taken.end() || next_->tick != tick) return;
+void BodyDisplacement::prepare_for(std::uint64_t tick) noexcept {
+  if (solver_ == nullptr || next_ == session_.applied_body_steps.end() || next_->tick != tick) return;
   while (field_.step < next_->step) step();
   motion_->write(field_);
   ++next_;
 }
 
-std::string MovedBody::difference() const {
+std::string BodyDisplacement::difference() const {
   if (different_ == 0) return {};
   return fmt::format(
-      "the body that a probe pressed moved otherwise than in the session from its step {} on: it was computed by "
+      "the body that a probe pressed moved differently from the session from its step {} on: it was computed by "
       "another version of Bodkin",
       different_);
 }

@@ -8,13 +8,13 @@
 
 namespace bodkin::tracking {
 
-// A grey picture as a camera delivers it, rows from top to bottom.
-struct GreyPicture {
+// A grey image in the format of a camera, rows from top to bottom.
+struct GreyImage {
   int width = 0, height = 0;         // pixels
   std::vector<std::uint8_t> pixels;  // row by row
 
-  GreyPicture() = default;
-  GreyPicture(int columns, int rows)
+  GreyImage() = default;
+  GreyImage(int columns, int rows)
       : width(columns), height(rows), pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
   std::uint8_t at(int x, int y) const { return pixels[offset(x, y)]; }
@@ -24,8 +24,8 @@ struct GreyPicture {
   }
 };
 
-// Luma of a colour picture (ITU-R BT.601), and the colour picture of three equal parts.
-GreyPicture grey_of(const imaging::ImageRgb& colour);
-imaging::ImageRgb colour_of(const GreyPicture& grey);
+// Luma of a colour image (ITU-R BT.601), and the colour image of three equal channels.
+GreyImage grey_of(const imaging::ImageRgb& colour);
+imaging::ImageRgb colour_of(const GreyImage& grey);
 
 }  // namespace bodkin::tracking

@@ -9,15 +9,15 @@ namespace bodkin::training {
 
 namespace {
 
-constexpr std::size_t most_points = 1000;  // of a way that is compared with the plan
+constexpr std::size_t most_points = 1000;  // of a path that is compared with the plan
 constexpr double plan_step = 0.5;          // mm between points of the plan
 
-struct TwoWays {
-  std::vector<Vec3> gone, planned;
+struct ComparedPaths {
+  std::vector<Vec3> travelled, planned;
 };
 
 // The last insertion until the final position, and the planned path, as points in order.
-std::optional<TwoWays> two_ways(const Measured& measured) {
+std::optional<ComparedPaths> compared_paths(const Measured& measured) {
   const Attempt& attempt = measured.attempt;
   const anatomy::NeedlePath& path = attempt.path();
   if (attempt.insertions.empty() || path.length() <= 0.0) return std::nullopt;
@@ -26,26 +26,26 @@ std::optional<TwoWays> two_ways(const Measured& measured) {
   for (std::size_t i = 0; i < measured.motion.tip.size(); ++i)
     if (measured.motion.time[i] >= from && measured.motion.time[i] <= until) all.push_back(measured.motion.tip[i]);
   if (all.empty()) return std::nullopt;
-  TwoWays ways;
+  ComparedPaths paths;
   const std::size_t stride = (all.size() + most_points - 1) / most_points;
-  for (std::size_t i = 0; i < all.size(); i += stride) ways.gone.push_back(all[i]);
-  if ((all.size() - 1) % stride != 0) ways.gone.push_back(all.back());
+  for (std::size_t i = 0; i < all.size(); i += stride) paths.travelled.push_back(all[i]);
+  if ((all.size() - 1) % stride != 0) paths.travelled.push_back(all.back());
   const int steps = std::max(1, static_cast<int>(std::ceil(path.length() / plan_step)));
-  for (int k = 0; k <= steps; ++k) ways.planned.emplace_back(path.entry + (path.target - path.entry) * k / steps);
-  return ways;
+  for (int k = 0; k <= steps; ++k) paths.planned.emplace_back(path.entry + (path.target - path.entry) * k / steps);
+  return paths;
 }
 
-// Both ways are walked from their beginnings to their ends, never backwards; of all such walks the best. `joined`
-// makes the value of a walk from that of the walk before and the distance at its last step.
+// The best of all joint walks along both paths from beginning to end, never backwards. `joined` gives the value of a
+// walk from that of the previous walk and the distance at its last step.
 template <typename Joined>
-double best_walk(const TwoWays& ways, const Joined& joined) {
+double best_walk(const ComparedPaths& paths, const Joined& joined) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  std::vector<double> before(ways.planned.size(), far), now(ways.planned.size(), far);
-  for (std::size_t i = 0; i < ways.gone.size(); ++i) {
-    for (std::size_t k = 0; k < ways.planned.size(); ++k) {
+  std::vector<double> before(paths.planned.size(), far), now(paths.planned.size(), far);
+  for (std::size_t i = 0; i < paths.travelled.size(); ++i) {
+    for (std::size_t k = 0; k < paths.planned.size(); ++k) {
       double reached = i == 0 && k == 0 ? 0.0 : before[k];
       if (k > 0) reached = std::min({reached, now[k - 1], before[k - 1]});
-      now[k] = joined(reached, (ways.gone[i] - ways.planned[k]).norm());
+      now[k] = joined(reached, (paths.travelled[i] - paths.planned[k]).norm());
     }
     std::swap(before, now);
   }
@@ -53,16 +53,16 @@ double best_walk(const TwoWays& ways, const Joined& joined) {
 }
 
 std::optional<double> frechet(const Measured& measured) {
-  const auto ways = two_ways(measured);
-  if (!ways) return std::nullopt;
-  return best_walk(*ways, [](double reached, double here) { return std::max(reached, here); });
+  const auto paths = compared_paths(measured);
+  if (!paths) return std::nullopt;
+  return best_walk(*paths, [](double reached, double here) { return std::max(reached, here); });
 }
 
 std::optional<double> time_warp(const Measured& measured) {
-  const auto ways = two_ways(measured);
-  if (!ways) return std::nullopt;
-  return best_walk(*ways, [](double reached, double here) { return reached + here; }) /
-         static_cast<double>(ways->gone.size() + ways->planned.size() - 1);
+  const auto paths = compared_paths(measured);
+  if (!paths) return std::nullopt;
+  return best_walk(*paths, [](double reached, double here) { return reached + here; }) /
+         static_cast<double>(paths->travelled.size() + paths->planned.size() - 1);
 }
 
 std::optional<double> time_to_target(const Measured& measured) {
@@ -88,7 +88,7 @@ std::optional<double> time_of_closest(const Measured& measured) {
   });
 }
 
-// The tip in the body about its own mean.
+// Spread of the tip in the body about its mean.
 std::optional<double> spread(const Measured& measured) {
   return with_insertion(measured, [](const Attempt& attempt) {
     Vec3 mean = Vec3::Zero();
@@ -130,13 +130,13 @@ std::optional<double> box_volume(const Measured& measured) {
 
 }  // namespace
 
-std::vector<Metric> metrics_of_way() {
+std::vector<Metric> metrics_of_path() {
   return {
-      {"deviation_frechet_mm", "mm", "Fréchet distance of the way from the planned path",
+      {"deviation_frechet_mm", "mm", "Fréchet distance of the tip's path from the planned path",
        "of the last insertion until the final position, at most 1000 points, from points of the plan 0.5 mm apart; "
        "discrete",
        "PerkTutor, Frechet", frechet},
-      {"deviation_warped_mm", "mm", "mean distance of the way from the planned path, best aligned",
+      {"deviation_warped_mm", "mm", "mean distance of the tip's path from the planned path, best aligned",
        "of the same points: least sum of distances by dynamic time warping, over the number of points less one",
        "PerkTutor, Time Warp", time_warp},
       {"time_to_target_s", "s", "time to the target",
