@@ -61,7 +61,7 @@ void pass_moment() {
   QThread::usleep(200);
 }
 
-// s until it holds.
+// Waits until the condition holds; returns s.
 double wait_until(const std::string& what, const std::function<bool()>& holds) {
   QElapsedTimer timer;
   timer.start();
@@ -78,7 +78,7 @@ struct FrameCost {
   double rate = 0.0;          // frames/s
 };
 
-// Does something before each frame for some seconds.
+// Runs an action before each frame for some seconds.
 FrameCost cost_of(MainWindow& window, double seconds, const std::function<void()>& each_frame) {
   int frames = 0;
   const QMetaObject::Connection counting =
@@ -147,7 +147,7 @@ void measure_camera(MainWindow& window, double seconds, std::vector<BenchmarkRow
                   wait_until("full detail", [&] { return view.scene()->layers().detail() > 1; }), "s", 0.5, true});
 }
 
-// Share of ticks that were late, percent, in some seconds.
+// Percentage of late ticks in some seconds.
 double late_share(MainWindow& window, double seconds, bool drawing) {
   const auto counts = [&] {
     const std::uint64_t number = window.practice().frame().number;
@@ -187,7 +187,7 @@ void measure_volume(MainWindow& window, double seconds, std::vector<BenchmarkRow
   window.show_page(PageId::practise);
 }
 
-// Pictures of a mannequin, a needle and a probe that all move, as a camera would send them: compressed, 30 a second.
+// Images of a mannequin, a needle and a probe, all moving, as sent by a camera: compressed, 30 per second.
 std::filesystem::path camera_pictures(const std::filesystem::path& folder) {
   tracking::SceneOptions options;
   options.frames = camera_frames;
@@ -203,7 +203,7 @@ std::filesystem::path camera_pictures(const std::filesystem::path& folder) {
   return folder / "camera";
 }
 
-// From a picture's arrival on the page of augmented reality until it is painted.
+// Time from an image's arrival on the page of augmented reality until it is painted.
 void measure_augmented_reality(MainWindow& window, double seconds, std::vector<BenchmarkRow>& rows) {
   const QTemporaryDir folder;
   if (!folder.isValid()) throw SystemError("benchmark: no folder for the camera's pictures can be made");
@@ -213,17 +213,17 @@ void measure_augmented_reality(MainWindow& window, double seconds, std::vector<B
   if (page == nullptr) throw SystemError("benchmark: the window has no page for a camera");
   page->show_source(pictures);
   wait_until("the camera's picture", [&] {
-    if (!page->news().error.empty()) throw SystemError("benchmark: " + page->news().error);
+    if (!page->camera_status().error.empty()) throw SystemError("benchmark: " + page->camera_status().error);
     return !page->latencies().empty();
   });
   QElapsedTimer timer;
   timer.start();
-  const std::uint64_t before = page->news().number;
+  const std::uint64_t before = page->camera_status().number;
   page->forget_latencies();
   while (seconds_of(timer) < seconds || page->latencies().empty()) pass_moment();
   const double passed = seconds_of(timer);
   std::vector<double> latencies(page->latencies().begin(), page->latencies().end());
-  const auto pictures_shown = static_cast<double>(page->news().number - before);
+  const auto pictures_shown = static_cast<double>(page->camera_status().number - before);
   page->stop();
   std::sort(latencies.begin(), latencies.end());
   const auto at = [&](double share) {

@@ -8,7 +8,7 @@ namespace bodkin::app {
 
 class MainWindow;
 
-// A row of the benchmark: what was measured, and what is wanted.
+// A row of the benchmark: the measured and the required value.
 struct BenchmarkRow {
   std::string name;
   double value = 0.0;
@@ -21,8 +21,8 @@ struct BenchmarkRow {
 
 // Measures the window's speed on this machine: it opens the patient that comes with Bodkin, moves the needle, turns
 // the camera, looks into the volume and shows augmented reality, as a person would, `seconds` for each. CPU times are
-// those of the whole process with the servo in it, all threads, for each frame that was drawn. Throws SystemError
-// when the window comes to no patient or no needle.
+// those of the whole process including the servo, all threads, per drawn frame. Throws SystemError when the window
+// gets no patient or no needle.
 std::vector<BenchmarkRow> measure_window(MainWindow& window, double seconds);
 
 // Machine and rows as a table for a terminal.

@@ -20,7 +20,7 @@ std::atomic<int> pipe_end{-1};
 void pass_on(int signal) {
   const int error = errno;
   const auto number = static_cast<unsigned char>(signal);
-  // A full pipe has enough of them.
+  // A full pipe already has enough bytes.
   [[maybe_unused]] const ssize_t written = write(pipe_end.load(), &number, 1);
   errno = error;
 }

@@ -36,7 +36,7 @@ double FrameClock::now() const {
 }
 
 void FrameClock::tick() {
-  wait_for_next();  // first, for what is done in a frame may open a dialog, and frames go on meanwhile
+  wait_for_next();  // first, as an action of a frame may open a dialog, during which frames continue
   const Clock::time_point began = Clock::now();
   emit frame(now());
   const double took = std::chrono::duration<double, std::milli>(Clock::now() - began).count();

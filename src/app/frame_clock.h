@@ -6,14 +6,13 @@
 
 namespace bodkin::app {
 
-// When the frame after one is due that was due at `due` and began at `now`. One that comes late does not delay those
-// after it, or a frame in ten that the system holds up would be missing from each second; two are made up for at
-// most.
+// The due time of the next frame after one that was due at `due` and began at `now`. A late frame does not delay
+// later ones, or a frame in ten delayed by the system would be missing from each second; at most two are made up for.
 std::chrono::steady_clock::time_point next_due(std::chrono::steady_clock::time_point due,
                                                std::chrono::steady_clock::time_point now,
                                                std::chrono::milliseconds interval);
 
-// The one clock that draws: 60 frames a second while the window keeps up, 30 when it has not for three frames, 60
+// The only clock for drawing: 60 frames a second while the window keeps up, 30 when it has not for three frames, 60
 // again after two quick seconds.
 class FrameClock : public QObject {
   Q_OBJECT

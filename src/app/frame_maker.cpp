@@ -34,20 +34,20 @@ void FrameMaker::begin(std::shared_ptr<const OpenCase> patient, const std::optio
   time_in_body_ = last_time_ = 0.0;
 }
 
-void FrameMaker::place_needle(Frame& frame, const StationNews& news, const NeedleControl* control,
+void FrameMaker::place_needle(Frame& frame, const StationUpdate& news, const NeedleControl* control,
                               const HandReport& hand) const {
   frame.has_needle = news.needle.ticks > 0;
   frame.needle = news.needle.needle;
-  frame.needle.translation() -= news.needle.needle_ahead;
+  frame.needle.translation() -= news.needle.coupling_offset;
   frame.hand = frame.needle;
   if (control == nullptr) return;
   frame.hand = hand.meant;
-  // On its way to the skin it is drawn where it will arrive in a moment: there the force is zero, as it is above.
+  // On its way to the skin it is drawn at its predicted position: there the force is zero, as above.
   const bool is_down = control->is_down() && (is_touching() || (hand.is_on_line && hand.depth > down_soon));
   if (!is_down && !is_touching()) frame.needle = frame.hand = control->hovering();
 }
 
-SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationNews& news) const {
+SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationUpdate& news) const {
   SkinDimple dimple;
   if (!is_touching()) return dimple;
   dimple.inwards = needle_axis(frame.needle);
@@ -56,7 +56,7 @@ SkinDimple FrameMaker::dimple_of(const Frame& frame, const StationNews& news) co
   return dimple;
 }
 
-// Every step draws the patient anew, so that they are as large as one hardly sees.
+// Every step redraws the patient, so steps are as large as just invisible.
 void FrameMaker::breathe(Frame& frame, double drawn_in) {
   if (!breath_) return;
   const double step = breath_step / std::max(breath_step, breath_->motion().norm());
@@ -92,7 +92,7 @@ void FrameMaker::measure_plan(Frame& frame) const {
   frame.target_reached = is_touching() && has_punctured() && in_target;
 }
 
-// By what the force model says of the place of the tip in the material.
+// By the force model's place of the tip in the material.
 double FrameMaker::pushed_of(const Frame& frame) const {
   if (!is_touching()) return 0.0;
   for (std::size_t i = 0; i < frame.diagnostic_names.size(); ++i) {
@@ -103,7 +103,8 @@ double FrameMaker::pushed_of(const Frame& frame) const {
   return 0.0;
 }
 
-void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleControl* control, const HandReport& hand) {
+void FrameMaker::update(Frame& frame, const StationUpdate& news, const NeedleControl* control,
+                        const HandReport& hand) {
   const simulation::TickOutput& now = news.needle.output;
   contact_.update(now, news.events);
   frame.time = news.time;
@@ -127,7 +128,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   place_needle(frame, news, control, hand);
   frame.in_tissue = in_material(frame.needle.translation());
   frame.pushed = pushed_of(frame);
-  const Vec3 brought_to = frame.needle.translation() + news.needle.needle_ahead;
+  const Vec3 brought_to = frame.needle.translation() + news.needle.coupling_offset;
   frame.touched =
       frame.pushed > 0.0 ? in_material(brought_to - frame.pushed * needle_axis(frame.needle)) : frame.in_tissue;
   frame.entry.reset();
@@ -144,7 +145,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   frame.guard = news.servo.state;
   frame.fault = news.servo.fault;
   frame.limits = news.servo.limits;
-  frame.ticks = news.timings.ticks;
+  frame.ticks = news.needle.ticks;
   frame.late_ticks = news.timings.overruns;
   frame.recent_success = news.timings.recent_success;
   frame.timings = news.needle.ticks > 0 ? &news.timings : nullptr;
@@ -155,7 +156,7 @@ void FrameMaker::update(Frame& frame, const StationNews& news, const NeedleContr
   if (frame.follows_tip && is_touching()) frame.crosshair = frame.needle.translation();
 }
 
-// Those that were left, since they were last drawn.
+// The left needles, since they were last drawn.
 bool FrameMaker::have_moved(std::span<const LeftNeedle> left) {
   const bool same = std::equal(left.begin(), left.end(), left_.begin(), left_.end(),
                                [](const LeftNeedle& now, const Pose& then) { return same_pose(now.pose, then); });
@@ -186,7 +187,7 @@ Changes FrameMaker::changes(const Frame& frame) {
   changes.attempt = new_attempt_;
   new_attempt_ = false;
   Frame before = std::exchange(last_, frame);
-  // What moves too little to be drawn is compared with where it was drawn, for it may move on so slowly.
+  // Motion too small to redraw is measured from the drawn position, because it may continue slowly.
   if (!changes.needle) {
     last_.needle = before.needle;
     last_.hand = before.hand;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "scene/volume_order.h"
+#include "scene/volume_request.h"
 
 namespace bodkin::app {
 
-// What draws volumes in this person's windows, from one start to the next; at first automatic.
+// This person's choice of a renderer for volumes, kept between starts; initially automatic.
 scene::VolumeDrawer kept_volume_drawer();
 void keep_volume_drawer(scene::VolumeDrawer drawer);
 

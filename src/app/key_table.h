@@ -8,10 +8,10 @@
 
 namespace bodkin::app {
 
-// Everything that a key, a button, a script or a test can ask the window for.
+// Everything that a key, a button, a script or a test can request from the window.
 enum class Command : std::uint8_t {
   show_keys,
-  back,  // closes what is open, or pauses
+  back,  // closes the open card, or pauses
   open_patient,
   save_picture,
   full_screen,
@@ -50,11 +50,11 @@ enum class Command : std::uint8_t {
   toggle_ultrasound,
   toggle_volume,
   fill,
-  of_the_view,  // the view with the focus does it
-  of_the_page   // the page that is shown does it
+  of_the_view,  // executed by the view with the focus
+  of_the_page   // executed by the shown page
 };
 
-// Where a key is looked up: in the view with the focus, then on the page, then in the window.
+// The order of looking up a key: in the view with the focus, then on the page, then in the window.
 enum class KeyScope : std::uint8_t {
   window,
   start,
@@ -79,16 +79,16 @@ struct KeyBinding {
   KeyScope scope;
   const char* keys;  // as QKeySequence reads it, "Ctrl+O"
   Command command;
-  const char* text;  // what it does, English, for tr()
-  bool reserved;     // no view may take it
+  const char* text;  // its effect, English, for tr()
+  bool reserved;     // no view may use it
 };
 
 std::span<const KeyBinding> key_table() noexcept;
 
-// Which scopes a key is looked up in, in this order, when `scope` has the focus.
+// The scopes in which a key is looked up, in this order, when `scope` has the focus.
 std::span<const KeyScope> chain_of(KeyScope scope) noexcept;
 
-// The command of a key in one scope; nothing where it has none.
+// The command of a key in one scope; empty if it has none.
 std::optional<Command> command_of(KeyScope scope, const QKeySequence& keys);
 // Reserved keys of the window and of `page`: they are looked up before any view sees them.
 std::optional<Command> reserved_command(KeyScope page, const QKeySequence& keys);

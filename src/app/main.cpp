@@ -19,7 +19,7 @@ int run_application() {
   return QApplication::exec();
 }
 
-// What the options ask for; the exit code.
+// Executes the command-line options; returns the exit code.
 int open_window(const QCommandLineParser& options) {
   bodkin::app::MainWindow window(bodkin::app::data_folder());
   if (options.isSet(QStringLiteral("size"))) window.resize(bodkin::app::parse_size(options.value("size")));
@@ -62,37 +62,38 @@ int main(int argc, char** argv) {
   options.addPositionalArgument(QStringLiteral("CASE"),
                                 QApplication::translate("main", "A case, a DICOM folder or an image to begin with"));
   options.addOptions(
-      {{QStringLiteral("script"), QApplication::translate("main", "Do what FILE says, and leave"),
+      {{QStringLiteral("script"), QApplication::translate("main", "Run the commands in FILE, then quit"),
         QStringLiteral("FILE")},
-       {QStringLiteral("shots"), QApplication::translate("main", "Folder for the script's pictures"),
+       {QStringLiteral("shots"), QApplication::translate("main", "Folder for the script's screenshots"),
         QStringLiteral("DIR"), QStringLiteral(".")},
        {QStringLiteral("size"), QApplication::translate("main", "Size of the window, 1280x720"),
         QStringLiteral("WxH")},
        {QStringLiteral("language"), QApplication::translate("main", "Language of the window, such as de"),
         QStringLiteral("CODE")},
        {QStringLiteral("allow-late"),
-        QApplication::translate("main", "Give the whole force although the system may hold up the servo")},
+        QApplication::translate("main", "Allow the full force, although the system may delay the servo")},
        {QStringLiteral("benchmark"),
-        QApplication::translate("main", "Measure the window's speed, print it, and leave")},
-       {QStringLiteral("attempt"), QApplication::translate("main", "How to perform, as bodkin perform says it"),
+        QApplication::translate("main", "Measure the window's speed, print it, then quit")},
+       {QStringLiteral("attempt"),
+        QApplication::translate("main", "Options of the attempt, as bodkin perform passes them"),
         QStringLiteral("JSON")},
        {QStringLiteral("connect"),
-        QApplication::translate("main", "Show the session of bodkin serve at this machine, HOST or HOST:PORT"),
+        QApplication::translate("main", "Show the session of the bodkin serve at HOST or HOST:PORT"),
         QStringLiteral("HOST")},
        {QStringLiteral("scan"),
-        QApplication::translate("main", "The probe in the hand, as bodkin ultrasound --live says it"),
+        QApplication::translate("main", "Settings of the live probe, as bodkin ultrasound --live passes them"),
         QStringLiteral("JSON")},
-       {QStringLiteral("output"), QApplication::translate("main", "Beginning of the pictures' names"),
+       {QStringLiteral("output"), QApplication::translate("main", "Beginning of the names of saved images"),
         QStringLiteral("NAME")}});
   options.process(application);
   try {
     if (options.isSet(QStringLiteral("language"))) bodkin::app::speak(options.value("language"));
     if (options.isSet(QStringLiteral("allow-late"))) bodkin::app::allow_late_force();
-    // A script and a benchmark hold nobody's hand, and end when they are told to.
+    // Scripts and benchmarks run without a user, and end on request.
     std::optional<bodkin::app::CloseOnSignal> closing;
     if (!options.isSet(QStringLiteral("script")) && !options.isSet(QStringLiteral("benchmark"))) closing.emplace();
     int result = open_window(options);
-    while (result == bodkin::app::speak_anew) {
+    while (result == bodkin::app::retranslate) {
       bodkin::app::speak(bodkin::app::usual_language());
       bodkin::app::MainWindow window(bodkin::app::data_folder());
       window.show();

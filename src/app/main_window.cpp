@@ -38,7 +38,7 @@ using namespace views;
 
 namespace {
 
-// Which page a stage of the bar leads to, and which stage a page belongs to.
+// The page of each stage of the bar, and the stage of each page.
 PageId page_of(Stage stage) noexcept {
   switch (stage) {
     case Stage::patient:
@@ -134,7 +134,7 @@ void MainWindow::connect_views() {
   connect(practise_, &PractisePage::moving_toggled, this, [this] { run(Command::move_body); });
   connect(practise_, &PractisePage::moving_undone, this, [this] { run(Command::undo_body); });
   connect(practise_, &PractisePage::moving_reset, this, [this] { run(Command::reset_body); });
-  connect(&practise_->view3d(), &View3d::body_taken, this, [this] { practice_.take_body(); });
+  connect(&practise_->view3d(), &View3d::body_drag_started, this, [this] { practice_.begin_body_drag(); });
   connect(&practise_->view3d(), &View3d::body_placed, this, [this](const Vec3& middle, const Mat3& rotation) {
     practice_.place_body({middle, rotation});
   });
@@ -149,8 +149,8 @@ void MainWindow::connect_views() {
   connect(bar_, &TopBar::servo_page_requested, this, [this] { run(Command::show_dock); });
   connect(bar_, &TopBar::help_requested, this, [this] { run(Command::show_keys); });
   connect(bar_, &TopBar::ultrasound_toggled, this, &MainWindow::show_ultrasound);
-  connect(&practise_->ultrasound(), &UltrasoundView::scan_ordered, this,
-          [this](const station::ScanOrder& order) { practice_.order_scan(order); });
+  connect(&practise_->ultrasound(), &UltrasoundView::scan_setup_changed, this,
+          [this](const station::ScanSetup& setup) { practice_.set_scan_setup(setup); });
   connect(&practise_->ultrasound(), &UltrasoundView::save_requested, this, [this] { run(Command::save_picture); });
   for (const Stage stage : {Stage::scan, Stage::plan, Stage::review}) bar_->allow(stage, false);
   connect(bar_, &TopBar::stage_chosen, this, [this](Stage stage) {
@@ -171,7 +171,7 @@ void MainWindow::connect_cards() {
     choose_language(code);
     QApplication::setQuitOnLastWindowClosed(false);
     close();
-    QApplication::exit(speak_anew);
+    QApplication::exit(retranslate);
   });
   connect(start_, &StartPage::forget_requested, this, [this](const QString& file) {
     QSettings settings;
@@ -205,21 +205,21 @@ void MainWindow::connect_cards() {
   connect(results_, &ResultsCard::leave_requested, this, [this] { practice_.leave(); });
   connect(results_, &ResultsCard::look_requested, this, [this] {
     results_->hide();
-    practice_.say(tr("The ring is where it was planned. Esc brings the results back.").toStdString());
+    practice_.show_message(tr("The ring is at the planned entry. Esc brings the results back.").toStdString());
   });
   connect(keys_, &KeysCard::closed, keys_, &QWidget::hide);
   connect(about_, &AboutCard::closed, about_, &QWidget::hide);
   connect(start_, &StartPage::about_requested, this, &MainWindow::show_about);
 }
 
-// Every page of its own has its line here.
+// Adds every separate page.
 void MainWindow::add_pages() {
   auto* const training = new TrainingPage;
   connect(training, &TrainingPage::follow_requested, this, &MainWindow::follow_plan);
   add_page(training, tr("Follow a plan"), tr("Stages that a teacher has laid out, and how far you are"));
   auto* const plan = new PlanPage;
   connect(plan, &PlanPage::plan_changed, this, [this](const anatomy::NeedlePath& path) { practice_.set_plan(path); });
-  add_page(plan, tr("Plan"), tr("Choose where to go in, and where to"));
+  add_page(plan, tr("Plan"), tr("Choose where to go in, and the target"));
   review_ = new ReviewPage(data_folder() / "sessions");
   add_page(review_, tr("Review"), tr("See a session again, moment by moment"));
   add_page(new ScanPage([this]() -> const Frame& { return practice_.frame(); }), tr("CT scanner"),
@@ -228,7 +228,7 @@ void MainWindow::add_pages() {
            tr("The inside of the patient: bone, soft tissue, X-ray"));
   add_page(new SegmentPage, tr("Structures"), tr("Correct the structures of the segmentation, or make new ones"));
   devices_ = new DevicesPage;
-  add_page(devices_, tr("Devices"), tr("What holds the needle: find, check, calibrate"));
+  add_page(devices_, tr("Devices"), tr("Devices that hold the needle: find, check, calibrate"));
   atlas_ = new AtlasPage(data_folder());
   connect(atlas_, &AtlasPage::needling_requested, this,
           [this](const QString& folder, const Vec3& place) { needle_found_point(folder.toStdString(), place); });
@@ -236,18 +236,18 @@ void MainWindow::add_pages() {
   connect(devices_, &DevicesPage::use_requested, this, &MainWindow::use_device);
   const auto frame = [this]() -> const Frame& { return practice_.frame(); };
   auto* const models =
-      new ModelsPage(frame, [this](const ModelSettings& settings) { return practice_.feel_models(settings); });
+      new ModelsPage(frame, [this](const ModelSettings& settings) { return practice_.apply_models(settings); });
   connect(models, &ModelsPage::settings_chosen, this, [this](const auto& chosen) { practice_.set_models(chosen); });
-  add_page(models, tr("Model settings"), tr("The numbers of the force model, one a step, and what they do"));
+  add_page(models, tr("Model settings"), tr("The values of the force model, one per step, and what they do"));
   add_page(ultrasound_, tr("Ultrasound"), tr("The probe in your hand, with the CT of the same plane"));
   add_page(new CameraPage(data_folder()), tr("Augmented reality"),
-           tr("A camera sees a mannequin: the patient in it, the ultrasound where the probe points"));
+           tr("A camera sees a mannequin: shows the patient in it and the ultrasound at the probe"));
   const QSettings settings;
   use_device(settings.value(QStringLiteral("device/driver")).toString(),
              settings.value(QStringLiteral("device/identity")).toString());
 }
 
-// What practises from now on, and the next time; an empty driver: the mouse.
+// The device for practice from now on, also in later runs; an empty driver: the mouse.
 void MainWindow::use_device(const QString& driver, const QString& identity) {
   std::optional<PracticeDevice> device;
   try {
@@ -255,8 +255,8 @@ void MainWindow::use_device(const QString& driver, const QString& identity) {
     row.driver = driver.toStdString();
     row.identity = identity.toStdString();
     if (!row.is_mouse()) device = PracticeDevice{choice_of(row), driver.toStdString()};
-  } catch (const std::exception& error) {  // a driver that has gone: the mouse is always there
-    practice_.say(error.what());
+  } catch (const std::exception& error) {  // a driver that no longer exists: the mouse always does
+    practice_.show_message(error.what());
   }
   QSettings settings;
   settings.setValue(QStringLiteral("device/driver"), device ? driver : QString());
@@ -266,7 +266,7 @@ void MainWindow::use_device(const QString& driver, const QString& identity) {
   atlas_->set_device(device ? std::optional(device->choice) : std::nullopt);
 }
 
-// The newest session that a crash has cut off, until a person has forgotten it.
+// The newest session interrupted by a crash, until a person discards it.
 void MainWindow::offer_recovered() {
   std::vector<std::filesystem::path> forgotten;
   for (const QString& file : QSettings().value(QStringLiteral("forgotten_sessions")).toStringList())
@@ -370,7 +370,7 @@ void MainWindow::draw(double clock) {
   }
   if (frame.state == State::preparing) {
     const CaseModel::Status status = practice_.preparation();
-    const QString what = status.stage.empty() ? tr("putting the station together") : in_words(status.stage);
+    const QString what = status.stage.empty() ? tr("preparing the session") : in_words(status.stage);
     preparing_->show_progress(what, status.fraction, status.seconds);
   }
   if (frame.state == State::ended) {
@@ -388,13 +388,13 @@ void MainWindow::draw(double clock) {
   if (pages_->currentWidget() == practise_) practise_->show_frame(allowed, changes);
 }
 
-// What the tip must not have met, the worst first.
+// The forbidden structures touched by the tip, worst first.
 QStringList MainWindow::dangers() const {
-  std::vector<MetDanger> met = practice_.dangers();
+  std::vector<TouchedDanger> met = practice_.dangers();
   std::stable_sort(met.begin(), met.end(),
-                   [](const MetDanger& a, const MetDanger& b) { return a.warning.kind < b.warning.kind; });
+                   [](const TouchedDanger& a, const TouchedDanger& b) { return a.warning.kind < b.warning.kind; });
   QStringList sentences;
-  for (const MetDanger& danger : met) {
+  for (const TouchedDanger& danger : met) {
     sentences << tr("%1, met at %2 mm after %3 s")
                      .arg(in_words(danger.warning.title))
                      .arg(danger.depth, 0, 'f', 1)
@@ -409,7 +409,7 @@ void MainWindow::show_state() {
   if (at_start) {
     start_->show_patients(practice_.cases().known());
     offer_plan();
-    start_->say(in_words(practice_.failure()), !practice_.failure().empty());
+    start_->show_message(in_words(practice_.failure()), !practice_.failure().empty());
   }
   const bool has_patient = practice_.patient() != nullptr;
   const bool shows_start = at_start || (state == State::preparing && !has_patient);
@@ -442,7 +442,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings().setValue(QStringLiteral("geometry"), saveGeometry());
   practise_->save_layout();
-  practice_.leave();  // what runs is saved when the window goes
+  practice_.leave();  // a running session is saved when the window is destroyed
   leave_stage();
   event->accept();
 }

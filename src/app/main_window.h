@@ -39,35 +39,34 @@ class StartPage;
 class Tour;
 class UltrasoundPage;
 
-// What QApplication::exec() gives when another language was chosen: make the window anew in it.
-inline constexpr int speak_anew = 75;
+// Return value of QApplication::exec() after the choice of another language: recreate the window in it.
+inline constexpr int retranslate = 75;
 
-// The window: the bar, the pages below it, and the cards over them. It owns the practice and the frame clock, turns
-// keys and buttons into commands, and commands into what they do.
+// The window: the bar, the pages below it, and the cards over them. It owns the practice and the frame clock,
+// converts keys and buttons to commands, and executes commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  // `folder`: where patients and sessions are kept.
+  // `folder`: of patients and sessions.
   explicit MainWindow(const std::filesystem::path& folder);
   ~MainWindow() override;
 
   void open(const std::filesystem::path& patient);
   // A procedure that comes with Bodkin, on its own patient.
   void practise_procedure(const QString& name);
-  // The session of a station elsewhere, "HOST" or "HOST:PORT", on the patient that it has; an empty path: the copy of
-  // its case in the current folder or among the patients of this window. Throws InputError where there is none.
+  // Follows the session of a remote station, "HOST" or "HOST:PORT", on its patient; an empty path: the copy of its
+  // case in the current folder or among the patients of this window. Throws InputError if there is none.
   void follow(const std::string& server, const std::filesystem::path& patient);
-  // As `bodkin perform` and `bodkin ultrasound --live` want it.
+  // As requested by `bodkin perform` and `bodkin ultrasound --live`.
   void perform(const std::filesystem::path& patient, const AttemptOptions& options);
   void scan(const std::filesystem::path& patient, const station::UltrasoundRequest& request,
             const std::filesystem::path& output);
-  // The needle goes in where a point was found on the body; the way to the true one is hidden until the attempt is
-  // over.
+  // Inserts the needle at a point found on the body; the path to the true point is hidden until the attempt is over.
   void needle_found_point(const std::filesystem::path& patient, const Vec3& place);
   void run(Command command);
-  // Start and practise follow the practice; the others stand over it, and an attempt pauses meanwhile.
+  // Start and practise replace each other; other pages lie over them, and an attempt pauses meanwhile.
   void show_page(PageId id);
-  // A trainee follows a plan, a file or one that comes with Bodkin, from where he is in it.
+  // A trainee follows a plan, a file or one that comes with Bodkin, from the trainee's present stage.
   void follow_plan(const QString& plan, const QString& trainee);
   // Null: no plan is followed now.
   const TrainingRun* training_run() const { return run_.get(); }
@@ -103,7 +102,7 @@ class MainWindow : public QMainWindow {
   void another_attempt();
   void show_about();
   void follow_found_point();
-  // Where a stage of a plan does not allow the page: false, and why is said.
+  // False if a stage of a plan does not allow the page; the reason is shown.
   bool may_show(PageId id);
   void use_device(const QString& driver, const QString& identity);
   QStringList dangers() const;
@@ -139,10 +138,10 @@ class MainWindow : public QMainWindow {
   Tour* tour_;
   Sounds sounds_;
   UltrasoundPage* ultrasound_;
-  std::vector<Page*> more_pages_;  // besides start and practise
-  Page* page_ = nullptr;           // of these, the one that is shown
-  Page* wanted_page_ = nullptr;    // as soon as there is a patient
-  bool has_paused_ = false;        // an attempt, for the page
+  std::vector<Page*> more_pages_;  // in addition to start and practise
+  Page* page_ = nullptr;           // the shown one of these
+  Page* wanted_page_ = nullptr;    // to be shown once there is a patient
+  bool has_paused_ = false;        // an attempt, because of the page
   std::shared_ptr<const OpenCase> shown_;
   std::string shown_failure_;
   bool has_ultrasound_ = false;
@@ -151,10 +150,10 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<TrainingRun> run_;          // the plan that is followed
   std::optional<training::PlanStage> stage_;  // of the attempts now; nothing: they belong to no plan
   int stage_number_ = 0;
-  std::optional<training::PlanAids> seeking_aids_;  // of a point that the trainee has found himself
-  std::optional<Vec3> found_place_;                 // of it, until the needle is there
+  std::optional<training::PlanAids> seeking_aids_;  // for a point found by the trainee
+  std::optional<Vec3> found_place_;                 // of that point, until the needle is there
   StepFollower steps_;
-  QString plan_words_;                                         // how far it is, on strip and card
+  QString plan_words_;                                         // progress in the plan, on strip and card
   std::optional<station::UltrasoundChoice> asked_ultrasound_;  // instead of the usual one
   State shown_state_ = State::ended;                           // so that the first frame shows the start
 };

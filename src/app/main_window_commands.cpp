@@ -1,4 +1,4 @@
-// What the window does when it is asked for something: by a key, a button, the palette or a script.
+// The window's commands, from a key, a button, the palette or a script.
 #include <QApplication>
 #include <QDateTime>
 #include <QDir>
@@ -66,11 +66,12 @@ void MainWindow::run(Command command) {
       return show_palette();
     case Command::toggle_sound:
       sounds_.toggle();
-      return practice_.say(!sounds_.is_on()     ? tr("Sound is off.").toStdString()
-                           : sounds_.can_play() ? tr("Sound is on.").toStdString()
-                                                : tr("Sound is on, but there is no pw-play, paplay or aplay to play "
-                                                     "it with.")
-                                                      .toStdString());
+      return practice_.show_message(!sounds_.is_on() ? tr("Sound is off.").toStdString()
+                                    : sounds_.can_play()
+                                        ? tr("Sound is on.").toStdString()
+                                        : tr("Sound is on, but there is no pw-play, paplay or aplay to play "
+                                             "it with.")
+                                              .toStdString());
     case Command::tour:
       return begin_tour();
     case Command::next_view:
@@ -140,7 +141,8 @@ void MainWindow::run(Command command) {
 
 void MainWindow::connect_other_hand() {
   OtherHandBar* const other_hand = &practise_->other_hand();
-  connect(practise_, &PractisePage::said, this, [this](const QString& words) { practice_.say(words.toStdString()); });
+  connect(practise_, &PractisePage::message_requested, this,
+          [this](const QString& words) { practice_.show_message(words.toStdString()); });
   connect(other_hand, &OtherHandBar::finger_turned, this, [this] { run(Command::turn_finger); });
   connect(other_hand, &OtherHandBar::stylet_turned, this, [this] { run(Command::turn_stylet); });
   connect(other_hand, &OtherHandBar::manometer_turned, this, [this] { run(Command::turn_manometer); });
@@ -173,11 +175,11 @@ void MainWindow::show_moving(bool on) {
   if (on && !is_attempt(practice_.state())) return;
   const bool begins = on && !practise_->view3d().workspace();
   if (begins && needle_is_down(practice_.state()))
-    return practice_.say(tr("Draw the needle out of the body first, then move the body.").toStdString());
+    return practice_.show_message(tr("Draw the needle out of the body first, then move the body.").toStdString());
   std::optional<View3d::Workspace> workspace;
   if (on) workspace = View3d::Workspace{practice_.body_place().middle, practice_.body_place().rotation};
   practise_->show_moving(workspace);
-  if (begins) practice_.say(tr("A drag turns the body, with the right button it moves it. G ends.").toStdString());
+  if (begins) practice_.show_message(tr("Drag to turn the body, right drag to move it. G ends.").toStdString());
 }
 
 // With the probe lengthwise beside the planned way of the needle, which then lies in the slice.
@@ -191,7 +193,7 @@ station::UltrasoundChoice MainWindow::usual_ultrasound(bool has_path) {
 
 void MainWindow::show_volume() {
   if (!practise_->may_show_volume())
-    return practice_.say(tr("This stage of the plan is done without the volume.").toStdString());
+    return practice_.show_message(tr("This stage of the plan is done without the volume.").toStdString());
   practise_->toggle_volume();
 }
 
@@ -199,7 +201,7 @@ void MainWindow::show_ultrasound(bool on) {
   if (shown_ == nullptr) on = false;
   if (on && stage_ && !stage_->aids.ultrasound) {
     bar_->set_ultrasound(has_ultrasound_);
-    return practice_.say(tr("This stage of the plan is done without ultrasound.").toStdString());
+    return practice_.show_message(tr("This stage of the plan is done without ultrasound.").toStdString());
   }
   std::optional<station::UltrasoundChoice> choice;
   try {
@@ -212,7 +214,7 @@ void MainWindow::show_ultrasound(bool on) {
     practice_.set_ultrasound(choice);
     has_ultrasound_ = on;
   } catch (const InputError& error) {  // no skin there
-    practice_.say(error.what());
+    practice_.show_message(error.what());
   }
   bar_->set_ultrasound(has_ultrasound_);
 }
@@ -241,7 +243,7 @@ void MainWindow::show_palette() {
     entries.push_back({tr("go to: %1").arg(name_of(page->scope())), {}, [this, id] { show_page(id); }});
   }
   entries.push_back({tr("go to: Practise"), {}, [this] { show_page(PageId::practise); }});
-  // Not those that last as long as a key is held.
+  // Not commands that last while a key is held.
   std::vector<Command> listed = {Command::of_the_view,     Command::of_the_page,    Command::show_palette,
                                  Command::push_in,         Command::push_in_finely, Command::draw_out,
                                  Command::draw_out_finely, Command::turn_back,      Command::turn_clockwise,
@@ -271,7 +273,7 @@ void MainWindow::save_picture() {
   const bool saved = QDir().mkpath(folder) && grab().save(file);
   const QString words =
       saved ? tr("Saved as %1") : tr("%1 cannot be written; is there room, and may you write there?");
-  practice_.say(words.arg(file).toStdString());
+  practice_.show_message(words.arg(file).toStdString());
 }
 
 void MainWindow::apply_theme(bool dark) {

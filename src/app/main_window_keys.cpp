@@ -1,4 +1,4 @@
-// What keys do in the window: which command they mean where, and what happens when one that is held is let go.
+// The keys of the window: their commands in each context, and the release of held keys.
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QKeyEvent>
@@ -14,8 +14,7 @@ using namespace views;
 
 namespace {
 
-// A list or a slider that a person works in by keys has its letters, Space and Escape for itself: a widget says so by
-// the property "keeps_keys".
+// A list or a slider in use by keys receives letters, Space and Escape itself: its property "keeps_keys" says so.
 bool keeps_keys(const QWidget* widget) {
   for (; widget != nullptr && !widget->isWindow(); widget = widget->parentWidget()) {
     if (widget->property("keeps_keys").toBool()) return true;
@@ -56,7 +55,7 @@ bool MainWindow::press(const QKeySequence& keys, bool before_views) {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // A key that is held says nothing when it is let go elsewhere.
+  // The release of a held key elsewhere is not reported.
   if (event->type() == QEvent::WindowDeactivate && watched == this) {
     practice_.hold_key(0, false);
     practice_.hold_turn(0);
@@ -75,7 +74,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     return QMainWindow::eventFilter(watched, event);
   }
   const Qt::KeyboardModifiers modifiers = key->modifiers() & ~Qt::KeypadModifier;
-  // Who types means the letter.
+  // While typing, a key means its letter.
   const bool is_typing =
       qobject_cast<QLineEdit*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
   const bool is_letter = !key->text().isEmpty() && key->text().front().isPrint() &&
@@ -84,7 +83,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   const bool is_function_key = key->key() >= Qt::Key_F1 && key->key() <= Qt::Key_F35;
   const bool is_plain = (modifiers & (Qt::ControlModifier | Qt::AltModifier)) == 0 && !is_function_key;
   if (is_plain && keeps_keys(widget)) return QMainWindow::eventFilter(watched, event);
-  // A character that needs Shift ("?") is itself.
+  // A character that needs Shift ("?") stands for itself.
   const bool is_sign =
       key->key() < 0x80 && key->key() > Qt::Key_Space && !(key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z);
   const int code = key->key() + static_cast<int>(is_sign ? modifiers & ~Qt::ShiftModifier : modifiers);

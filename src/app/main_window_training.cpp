@@ -1,4 +1,4 @@
-// A trainee follows a plan in the window: stages, what they let be seen, results into the store.
+// A trainee follows a plan in the window: stages, permitted views, results into the store.
 #include <QSettings>
 #include <algorithm>
 #include <array>
@@ -21,11 +21,11 @@ using namespace views;
 
 namespace {
 
-// Pages that show or change what a stage is about.
+// Pages that show or change the subject of a stage.
 constexpr std::array closed_pages = {PageId::plan,   PageId::scan,       PageId::volume, PageId::segment,
                                      PageId::models, PageId::ultrasound, PageId::camera};
 
-constexpr double found_reach = 30.0;  // mm about a found place in which its skin is looked for
+constexpr double found_reach = 30.0;  // mm about a found place, searched for its skin
 
 bool is_closed(PageId id) {
   return std::find(closed_pages.begin(), closed_pages.end(), id) != closed_pages.end();
@@ -41,7 +41,7 @@ void MainWindow::follow_plan(const QString& plan, const QString& trainee) {
   standing_ = std::async(std::launch::async, read_standing, plan.toStdString(), trainee.toStdString());
 }
 
-// The plan that was begun, for the next start of the window as well.
+// The plan in progress, also for the next start of the window.
 void MainWindow::offer_plan() {
   const QSettings settings;
   const QString title = settings.value(QStringLiteral("training/title")).toString();
@@ -94,7 +94,7 @@ void MainWindow::begin_stage() {
   }
 }
 
-// Everything may be seen again.
+// All views are permitted again.
 void MainWindow::leave_stage() {
   if (!stage_) return;
   practice_.finish();  // its result belongs to the plan
@@ -114,11 +114,11 @@ void MainWindow::leave_stage() {
 bool MainWindow::may_show(PageId id) {
   if (!stage_) return true;
   const bool is_closed_now = is_closed(id) || (id == PageId::review && is_attempt(practice_.state()));
-  if (is_closed_now) practice_.say(tr("The plan that you follow does not allow this now.").toStdString());
+  if (is_closed_now) practice_.show_message(tr("The plan that you follow does not allow this now.").toStdString());
   return !is_closed_now;
 }
 
-// An attempt that was saved. One in which the needle touched nobody counts for nothing.
+// A saved attempt. One without contact between needle and patient does not count.
 void MainWindow::take_attempt(const AttemptResult& result) {
   if (!stage_ || run_ == nullptr || !result.record || result.time_in_body <= 0.0) return;
   run_->keep(*result.record);
@@ -127,7 +127,7 @@ void MainWindow::take_attempt(const AttemptResult& result) {
 
 void MainWindow::another_attempt() {
   if (stage_ && practice_.state() == State::ended) {
-    if (!practice_.result() && practice_.failure().empty()) return;  // it is being judged
+    if (!practice_.result() && practice_.failure().empty()) return;  // it is being scored
     if (run_->stage_number() != stage_number_) return begin_stage();
   }
   practice_.again();
@@ -137,8 +137,8 @@ void MainWindow::advance_plan(const Frame& frame) {
   if (standing_.valid() && standing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     PlanStanding standing = standing_.get();
     if (!standing.trouble.empty()) {
-      start_->say(in_words(standing.trouble), true);
-      practice_.say(standing.trouble);
+      start_->show_message(in_words(standing.trouble), true);
+      practice_.show_message(standing.trouble);
     } else {
       leave_stage();
       run_ = std::make_unique<TrainingRun>(std::move(standing));
@@ -146,10 +146,10 @@ void MainWindow::advance_plan(const Frame& frame) {
     }
   }
   if (run_ == nullptr) return;
-  if (const std::string note = run_->take_note(); !note.empty()) practice_.say(note);
+  if (const std::string note = run_->take_note(); !note.empty()) practice_.show_message(note);
   if (!stage_) return;
   if (practice_.state() == State::no_case) return leave_stage();
-  // The attempt before was given up by beginning another one, and it was the last of its stage.
+  // The previous attempt, the last of its stage, was abandoned by beginning another.
   const State state = practice_.state();
   const bool is_fresh = state == State::ready || state == State::aiming;
   if (is_fresh && run_->stage_number() != stage_number_) return begin_stage();
@@ -183,7 +183,7 @@ void MainWindow::needle_found_point(const std::filesystem::path& patient, const 
   open(patient);
 }
 
-// The needle to where the point was found, once; and everything may be seen again when the patient is left.
+// Moves the needle to the found point, once; all views are permitted again when the patient is left.
 void MainWindow::follow_found_point() {
   if (!seeking_aids_) return;
   const State state = practice_.state();
@@ -204,7 +204,7 @@ void MainWindow::follow_found_point() {
   if (const auto skin = skin_on_ray(tissues, *found_place_ - found_reach * inwards, inwards, 2.0 * found_reach)) {
     practice_.aim(*skin);
     practice_.put_down();
-    practice_.say(
+    practice_.show_message(
         tr("The needle is where you found the point. Push; the true point is shown when you end.").toStdString());
   }
   found_place_.reset();

@@ -25,7 +25,7 @@ Vec3 middle_of(const anatomy::Grid& grid) {
   return grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1));
 }
 
-// Where a needle goes that nobody has planned: straight into the back at the middle of the image.
+// The path of an unplanned needle: straight into the back at the middle of the image.
 anatomy::NeedlePath unplanned_path(const anatomy::TissueVolume& tissues) {
   const Vec3 middle = middle_of(tissues.grid);
   const Vec3 inwards = -Vec3::UnitY();
@@ -112,7 +112,7 @@ void Practice::end() {
 
 void Practice::leave() {
   if (!machine_.apply(Signal::leave)) return;
-  server_ ? link_.stop() : link_.end();  // a session elsewhere goes on
+  server_ ? link_.stop() : link_.end();  // a remote session continues
 }
 
 void Practice::pause(bool on) {
@@ -141,7 +141,7 @@ void Practice::set_models(const ModelSettings& models) {
   if (is_attempt(state())) again();
 }
 
-bool Practice::feel_models(const ModelSettings& models) {
+bool Practice::apply_models(const ModelSettings& models) {
   const bool is_same = models.haptics.resistance.index() == haptics_.resistance.index() &&
                        models.haptics.constraint.index() == haptics_.constraint.index();
   if (server_ || !is_attempt(state()) || !is_same) return false;
@@ -202,7 +202,7 @@ void Practice::take_patient() {
     begin_attempt();
     for (const std::string& note : cases_.status().notes) {
       take_note(note);
-      say(note);
+      show_message(note);
     }
   }
   const CaseModel::Status status = cases_.status();
@@ -217,7 +217,7 @@ void Practice::finish() {
   take_result(link_.poll());
 }
 
-void Practice::take_result(const StationNews& news) {
+void Practice::take_result(const StationUpdate& news) {
   if (!news.result || result_) return;
   result_ = news.result;
   if (taker_) taker_(*result_);
@@ -228,7 +228,7 @@ void Practice::begin_attempt() {
   result_.reset();
   failed_with_.clear();
   log_.clear();
-  noted_ = told_ = 0;
+  noted_ = reported_ = 0;
   dangers_.clear();
   again_wanted_ = false;
   acknowledged_ = was_forbidden_ = plunger_pressed_ = false;
@@ -279,7 +279,7 @@ void Practice::begin_attempt() {
     const bool has_mouse = options.device.driver == &mouse_driver();
     feed_ = has_mouse ? std::make_shared<MouseFeed>(station::workspace_about(path)) : nullptr;
     if (has_mouse) {
-      feed_->wishes.write(control_.wish());
+      feed_->goals.write(control_.goal());
       connect_mouse(feed_);
     }
     const std::string device = has_mouse ? "Mouse" : is_asked ? options.device.driver->name : device_->title;
@@ -291,8 +291,8 @@ void Practice::begin_attempt() {
   }
 }
 
-void Practice::take_news(const StationNews& news) {
-  using Phase = StationNews::Phase;
+void Practice::apply_update(const StationUpdate& news) {
+  using Phase = StationUpdate::Phase;
   connection_ = news.connection;
   for (const std::string& note : news.notes) take_note(note);
   take_result(news);
@@ -337,7 +337,7 @@ void Practice::follow_warning() {
   if (maker_.is_touching()) found = warning_at(patient_->patient, frame_.touched, frame_.tissue, maker_.is_on_bone());
   if (found) {
     if (!frame_.warning || frame_.warning->title != found->title) acknowledged_ = false;
-    const auto same = [&](const MetDanger& danger) { return danger.warning.title == found->title; };
+    const auto same = [&](const TouchedDanger& danger) { return danger.warning.title == found->title; };
     if (std::none_of(dangers_.begin(), dangers_.end(), same)) dangers_.push_back({*found, frame_.time, frame_.depth});
     frame_.warning = found;
     safe_since_ = clock_;
@@ -364,8 +364,8 @@ const Frame& Practice::advance(double clock) {
   begin_saying();
   if (frame_.state != State::preparing) prepares_since_ = clock;
   if (state() == State::preparing && !again_wanted_) take_patient();
-  const StationNews& news = link_.poll();
-  // What the last frame looked at lay in the news before these.
+  const StationUpdate& news = link_.poll();
+  // The spans of the last frame refer to the previous data.
   frame_.samples = {};
   frame_.events = {};
   frame_.displacements = {};
@@ -373,15 +373,15 @@ const Frame& Practice::advance(double clock) {
   frame_.notes = {};
   frame_.timings = nullptr;
   frame_.ultrasound = nullptr;
-  take_news(news);
+  apply_update(news);
   HandReport hand;
   if (feed_ != nullptr) {
     hand = feed_->reports.read();
     if (state() != State::ended) control_.update(dt, hand);
-    feed_->wishes.write(control_.wish());
+    feed_->goals.write(control_.goal());
   }
   const bool lives = is_attempt(state()) || state() == State::ended;
-  if (lives && news.phase != StationNews::Phase::preparing)
+  if (lives && news.phase != StationUpdate::Phase::preparing)
     maker_.update(frame_, news, feed_ != nullptr ? &control_ : nullptr, hand);
   if (is_attempt(state())) {
     follow_needle();

@@ -6,7 +6,7 @@ namespace bodkin::app {
 bool Practice::may_move_body() {
   if (patient_ == nullptr || !is_attempt(state())) return false;
   if (!maker_.is_touching()) return true;
-  say("Draw the needle out of the body first, then move the body.");
+  show_message("Draw the needle out of the body first, then move the body.");
   return false;
 }
 
@@ -15,8 +15,8 @@ void Practice::send_body() {
   if (feed_ == nullptr) link_.move_body(mover_.now());
 }
 
-void Practice::take_body() {
-  if (may_move_body()) mover_.take();
+void Practice::begin_body_drag() {
+  if (may_move_body()) mover_.begin_step();
 }
 
 void Practice::place_body(const BodyPlace& place) {
@@ -27,7 +27,7 @@ void Practice::place_body(const BodyPlace& place) {
 
 void Practice::undo_body() {
   if (!may_move_body()) return;
-  if (!mover_.undo()) return say("The body lies where it lay at first.");
+  if (!mover_.undo()) return show_message("The body is back where it was at first.");
   send_body();
 }
 

@@ -1,4 +1,4 @@
-// Following the attempt of a station elsewhere.
+// Following the attempt of a remote station.
 #include <memory>
 
 #include "app/models/remote_station.h"
@@ -18,7 +18,7 @@ void Practice::begin_following() {
 
 bool Practice::is_decided_elsewhere() {
   if (!server_) return false;
-  say(fmt::format("That is decided at the station, {}:{}.", server_->host, server_->port));
+  show_message(fmt::format("This is controlled at the station, {}:{}.", server_->host, server_->port));
   return true;
 }
 

@@ -1,4 +1,4 @@
-// What a person's hand asks of the needle in an attempt.
+// The user's control of the needle in an attempt.
 #include "app/practice.h"
 
 namespace bodkin::app {
@@ -20,10 +20,10 @@ void Practice::aim_left() {
   if (!control_.is_down()) machine_.apply(Signal::pointer_off_patient);
 }
 
-// Where the planned path is hidden, the needle does not go to its entry by itself.
+// If the planned path is hidden, the needle does not move to its entry automatically.
 bool Practice::must_aim_first() {
   if (aimed_ || !stage_ || stage_->aids.overlay) return false;
-  say("Point at the skin where you want to go in first.");
+  show_message("First point at the skin where you want to go in.");
   return true;
 }
 
@@ -41,7 +41,7 @@ void Practice::drag(double millimetres) {
 
 void Practice::tilt(double right, double cranial) {
   if (!may_steer() || control_.tilt(right, cranial)) return;
-  say("Draw back to just under the skin, then change the angle.");
+  show_message("Draw back to just under the skin, then change the angle.");
 }
 
 void Practice::hold_key(int direction, bool fine) {
@@ -61,7 +61,7 @@ void Practice::leave_needle() {
   constexpr double least_left = 1.0;  // mm; a needle that is hardly in the skin falls out
   if (patient_ == nullptr || !is_attempt(state())) return;
   if (!maker_.is_touching() || !maker_.has_punctured() || frame_.depth < least_left)
-    return say("Push the needle through the skin before you leave it there.");
+    return show_message("Push the needle through the skin before you leave it there.");
   const Vec3 tip = frame_.needle.translation(), entry = tip - frame_.depth * needle_axis(frame_.needle);
   const anatomy::NeedlePath left{maker_.in_material(entry), frame_.in_tissue};
   again();
@@ -69,7 +69,7 @@ void Practice::leave_needle() {
 }
 
 void Practice::take_out_left_needle() {
-  if (!left_needles_.take_out()) return say("No needle was left in the body.");
+  if (!left_needles_.take_out()) return show_message("No needle was left in the body.");
   left_needles_changed_ = true;
 }
 
@@ -79,7 +79,7 @@ void Practice::press_plunger(bool on) {
   link_.command(on ? station::StationCommand::press_plunger : station::StationCommand::release_plunger);
 }
 
-// With every device, for it is done by keys and buttons.
+// With every device, because it is done by keys and buttons.
 bool Practice::may_use_other_hand() const {
   const State now = state();
   return now == State::ready || now == State::aiming || needle_is_down(now);
@@ -88,29 +88,31 @@ bool Practice::may_use_other_hand() const {
 void Practice::turn(station::StationCommand what) {
   if (!may_use_other_hand()) return;
   const bool is_finger = what == station::StationCommand::turn_finger;
-  if (is_finger && !haptics_.parts.fingertip) return say("This patient has no skin to feel with a finger.");
+  if (is_finger && !haptics_.parts.fingertip) return show_message("This patient has no skin to feel with a finger.");
   const bool is_breath = what == station::StationCommand::turn_breath;
-  if (is_breath && !frame_.other_hand.breathes) return say("This patient does not breathe.");
+  if (is_breath && !frame_.other_hand.breathes) return show_message("This patient does not breathe.");
   if (!is_finger && !is_breath && !has_fluid()) {
-    return say(haptics_.parts.csf_flow ? "The syringe is on the needle: there is no place for stylet or manometer."
-                                       : "This patient has no fluid to measure.");
+    return show_message(haptics_.parts.csf_flow
+                            ? "The syringe is on the needle: there is no place for stylet or manometer."
+                            : "This patient has no fluid to measure.");
   }
-  if (is_finger && frame_.other_hand.finger_presses) return say("Lift the finger first (W), then take the needle.");
-  if (is_finger && maker_.is_touching()) return say("Withdraw the needle before you feel the skin.");
+  if (is_finger && frame_.other_hand.finger_presses)
+    return show_message("Lift the finger first (W), then take the needle.");
+  if (is_finger && maker_.is_touching()) return show_message("Withdraw the needle before you feel the skin.");
   link_.command(what);
 }
 
 void Practice::fill_syringe(anatomy::SyringeFilling filling) {
   if (is_decided_elsewhere() || !has_syringe() || !is_attempt(state())) return;
-  if (maker_.is_touching()) return say("Withdraw the needle before you fill the syringe anew.");
+  if (maker_.is_touching()) return show_message("Withdraw the needle before you fill the syringe again.");
   ModelSettings models = models_ ? *models_ : ModelSettings{haptics_, patient_->patient.library.tissues()};
   if (!models.haptics.parts.syringe) models.haptics.parts.syringe = haptics_.parts.syringe;
   models.haptics.parts.syringe->filling = filling;
   set_models(models);
 }
 
-OtherHandState Practice::other_hand(const StationNews& news) const {
-  const bool runs = news.phase == StationNews::Phase::running;
+OtherHandState Practice::other_hand(const StationUpdate& news) const {
+  const bool runs = news.phase == StationUpdate::Phase::running;
   const simulation::OtherHand now = runs ? news.needle.other : simulation::OtherHand();
   const anatomy::ForceParts& parts = haptics_.parts;
   OtherHandState state;
@@ -130,24 +132,24 @@ OtherHandState Practice::other_hand(const StationNews& news) const {
   return state;
 }
 
-// A syringe that is on the needle from the beginning leaves no place for stylet and manometer.
+// A syringe on the needle from the beginning leaves no place for stylet and manometer.
 bool Practice::has_fluid() const {
   const anatomy::ForceParts& parts = haptics_.parts;
   return parts.csf_flow.has_value() && (!parts.syringe.has_value() || parts.csf_flow->stylet);
 }
 
-// Who looks for the epidural space must know that he is beyond it: it is seen, whatever else is shown.
+// In a search for the epidural space, going beyond it is always reported, whatever else is shown.
 void Practice::follow_fluid() {
   for (const session::SessionEvent& each : frame_.events)
     if (each.event.kind == forces::EventKind::fluid_returned && has_syringe())
-      say("Fluid comes back through the needle: the dura is open.");
+      show_message("Fluid comes back through the needle: the dura is open.");
 }
 
-// While the aim is hidden, an attempt that ends by itself would tell that it was reached: a person ends it.
+// While the target is hidden, an automatic end would reveal that it was reached: the user ends the attempt.
 void Practice::begin_watching(const training::Procedure& procedure) {
   taken_out_ = {};
-  const bool tells_aim = procedure.taken_out_ends == training::TakenOutEnds::after_goal;
-  if (server_ || (tells_aim && stage_ && !stage_->aids.overlay)) return;
+  const bool reveals_target = procedure.withdrawal_ends == training::WithdrawalEnds::after_goal;
+  if (server_ || (reveals_target && stage_ && !stage_->aids.overlay)) return;
   taken_out_ = {procedure, patient_->patient, plan_ ? std::optional(plan_->target) : std::nullopt};
 }
 

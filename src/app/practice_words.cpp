@@ -1,4 +1,4 @@
-// What the window tells of an attempt: what to do now, why a wish was not done, what the station notes.
+// Window texts about an attempt: the next action, refused commands, the station's notes.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,19 +15,19 @@ constexpr std::size_t longest_log = 200;
 
 }  // namespace
 
-void Practice::say(const std::string& sentence) {
-  said_ = sentence;
-  said_for_ = std::max(least_shown, shown_for_letter * static_cast<double>(sentence.size()));
+void Practice::show_message(const std::string& sentence) {
+  message_ = sentence;
+  message_time_ = std::max(least_shown, shown_for_letter * static_cast<double>(sentence.size()));
 }
 
-// The time begins with the first frame that shows it: what a person asked for, a picture to be saved, may have taken
-// longer than that.
+// The time begins with the first frame that shows it: a requested action, such as saving an image, may have taken
+// longer.
 void Practice::begin_saying() {
-  if (said_for_ > 0.0) said_until_ = clock_ + std::exchange(said_for_, 0.0);
+  if (message_time_ > 0.0) message_until_ = clock_ + std::exchange(message_time_, 0.0);
 }
 
-bool Practice::is_saying() const {
-  return said_for_ > 0.0 || clock_ < said_until_;
+bool Practice::shows_message() const {
+  return message_time_ > 0.0 || clock_ < message_until_;
 }
 
 void Practice::take_note(const std::string& sentence) {
@@ -35,19 +35,19 @@ void Practice::take_note(const std::string& sentence) {
   if (log_.size() <= longest_log) return;
   log_.erase(log_.begin());
   noted_ -= std::min<std::size_t>(noted_, 1);
-  told_ -= std::min<std::size_t>(told_, 1);
+  reported_ -= std::min<std::size_t>(reported_, 1);
 }
 
-// All of them to the researchers' dock. To the person, one after the other and each as soon as it can be read, what
-// concerns him: nothing of a mouse, which is no device, and nothing that begins with a time, which the guard does.
+// All of them go to the researchers' dock. The person gets the relevant ones in turn, each when it can be read: none
+// about a mouse, which is not a device, and none that begins with a time, which come from the guard.
 void Practice::show_notes() {
   if (!is_attempt(state())) return;
   frame_.notes = std::span(log_).subspan(std::min(noted_, log_.size()));
   noted_ = log_.size();
-  if (feed_ != nullptr) told_ = log_.size();
-  while (told_ < log_.size() && !is_saying()) {
-    const std::string& note = log_[told_++];
-    if (!note.empty() && (note.front() < '0' || note.front() > '9')) say(note);
+  if (feed_ != nullptr) reported_ = log_.size();
+  while (reported_ < log_.size() && !shows_message()) {
+    const std::string& note = log_[reported_++];
+    if (!note.empty() && (note.front() < '0' || note.front() > '9')) show_message(note);
   }
 }
 
@@ -55,10 +55,10 @@ std::string Practice::hint() const {
   if (!connection_.empty()) return connection_;
   if (const std::optional<double> left = taken_out_.remaining(); left && is_attempt(state()))
     return fmt::format("The needle is out. The attempt ends in {:.0f} s, unless it goes in again.", std::ceil(*left));
-  if (is_saying()) return said_;
+  if (shows_message()) return message_;
   if (is_attempt(state()) && link_.news().needle.past_points) return frame_.message;
   if (feed_ != nullptr && control_.is_turning())
-    return fmt::format("The needle is turned by {:.0f}° about its axis.", control_.wish().turn / degree);
+    return fmt::format("The needle is turned by {:.0f}° about its axis.", control_.goal().turn / degree);
   const bool is_above = state() == State::ready || state() == State::aiming;
   if (frame_.other_hand.finger && (is_above || state() == State::touching))
     return "Press with the finger. W, then H: the needle.";

@@ -14,7 +14,7 @@ class MainWindow;
 // "1280x720"; throws InputError for anything else.
 QSize parse_size(const QString& text);
 
-// Plays a person at the window, line by line, for tests, for the pictures of the pages and for demonstrations:
+// Simulates the user of the window, line by line, for tests, for the figures of the pages and for demonstrations:
 //
 //   click NAME [x,y]           the widget of this name, in its middle or at a place
 //   move NAME x,y              the pointer goes there
@@ -27,14 +27,14 @@ QSize parse_size(const QString& text);
 //   shot FILE                  a picture of the window
 //
 // A place is in pixels from the widget's upper left corner, or in percent of its size: 50%,40%. Lines that begin with
-// # and empty lines say nothing.
+// # and empty lines are ignored.
 class Script {
  public:
-  // `shots`: folder of the pictures.
+  // `shots`: folder of the screenshots.
   Script(MainWindow& window, QString shots);
 
-  // False, and a sentence on standard error with file and line, when a line could not be done. Throws InputError for
-  // a file that cannot be read and for a line that is none of the above.
+  // False, and a sentence on standard error with file and line, if a line fails. Throws InputError for an unreadable
+  // file and for an unknown command.
   bool run(const QString& file);
 
  private:

@@ -22,7 +22,7 @@ void Sounds::toggle() {
 }
 
 void Sounds::follow(const Frame& frame) {
-  const std::optional<Sound> sound = cues_.hear(frame);
+  const std::optional<Sound> sound = cues_.cue_for(frame);
   if (!sound || !allowed_) return;
   ++heard_;
   if (on_ && can_play()) play(*sound);

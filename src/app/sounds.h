@@ -7,21 +7,21 @@
 
 namespace bodkin::app {
 
-// Plays short sounds through the machine's own player (pw-play, paplay or aplay), in a process of its own: nothing
-// waits for it. Without a player, or without a sound device, there is no sound and no error.
+// Plays short sounds through the system's player (pw-play, paplay or aplay) in a separate process, without waiting.
+// Without a player or a sound device there is no sound and no error.
 class Sounds {
  public:
-  // As it was left the last time.
+  // With the last stored setting.
   Sounds();
 
   bool is_on() const { return on_; }
-  void toggle();  // and remember
-  // Silent, whatever the person has chosen, until it is allowed again.
+  void toggle();  // and stores the setting
+  // False: silent, whatever the setting.
   void allow(bool allowed) { allowed_ = allowed; }
-  // There is something to play with.
+  // A player is available.
   bool can_play() const { return !player_.isEmpty(); }
   void follow(const Frame& frame);
-  // Sounds that were asked for since the window opened, also while it is silent.
+  // Number of requested sounds since the window opened, including silenced ones.
   int heard() const { return heard_; }
 
  private:

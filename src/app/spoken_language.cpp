@@ -19,7 +19,7 @@ constexpr const char* property_name = "language";
 const QString english = QStringLiteral("en");
 const QString setting = QStringLiteral("language");
 
-// Empty where the files are not installed.
+// Empty if the files are not installed.
 std::filesystem::path folder() {
   try {
     return io::shared_file("translations/window_de.ts").parent_path();

@@ -5,21 +5,21 @@
 
 namespace bodkin::app {
 
-// The language that the window speaks. The files of languages lie in share/bodkin/translations.
+// The language of the window. Translations are in share/bodkin/translations.
 
-// Codes, "en" first: those that speak() takes.
+// Codes accepted by speak(), "en" first.
 QStringList languages();
 
-// What was chosen in the window before, else the system's language where there is one of it, else English.
+// The stored choice, else the system's language if there is a translation, else English.
 QString usual_language();
 
-// What usual_language() gives from now on.
+// Stores the result of usual_language().
 void choose_language(const QString& code);
 
-// For all texts that are made from now on. Throws InputError when there is no language of that code.
+// For all texts created from now on. Throws InputError for an unknown code.
 void speak(const QString& code);
 
-// The code that speak() took last, "en" before.
+// The last code accepted by speak(); initially "en".
 QString spoken_language();
 
 }  // namespace bodkin::app

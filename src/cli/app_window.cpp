@@ -24,7 +24,7 @@ std::string_view variable(const char* name) {
   return value == nullptr ? std::string_view() : std::string_view(value);
 }
 
-// An X server on this machine answers. Of one that is elsewhere ("host:0") nothing is known before it is used.
+// Whether an X server on this machine answers. A remote one ("host:0") is not tested before use.
 bool x_server_answers(std::string_view display) {
   if (!display.starts_with(':')) return true;
   int number = 0;
@@ -50,7 +50,7 @@ std::filesystem::path app_program() {
     if (!std::filesystem::exists(found))
       throw SystemError(fmt::format("bodkin-app, the window, is not at {}", found.string()));
     return found;
-  } catch (const SystemError& missing) {  // it was left out when Bodkin was built, which is nobody's failure
+  } catch (const SystemError& missing) {  // it was left out of this build of Bodkin, which is not a failure
     throw InputError(missing.what());
   }
 }
@@ -69,7 +69,7 @@ void require_window() {
   }
 }
 
-void become_app(const std::vector<std::string>& arguments) {
+void exec_app(const std::vector<std::string>& arguments) {
   const std::filesystem::path program = app_program();
   std::vector<std::string> words = {program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -23,7 +23,7 @@ std::string spoken(const std::string& name) {
   return name.substr(name.rfind(',') + 1);
 }
 
-// The whole of `text` as a number; nothing when it is none.
+// All of `text` as a number; nothing if it is not one.
 template <typename Number>
 std::optional<Number> number_of(const std::string& text) {
   Number number{};
@@ -35,13 +35,13 @@ std::optional<Number> number_of(const std::string& text) {
 template <typename Number>
 Argument add_range(CLI::App& command, const std::string& name, Number& value, Number low, Number high,
                    const std::string& expected, const std::string& help) {
-  const std::string said = spoken(name);
+  const std::string spoken_name = spoken(name);
   CLI::Option* option = command.add_option_function<std::string>(
       name,
-      [&value, low, high, expected, said](const std::string& text) {
+      [&value, low, high, expected, spoken_name](const std::string& text) {
         const auto number = number_of<Number>(text);
         if (!number || !(*number >= low && *number <= high)) {
-          throw InputError(fmt::format("{} is '{}'; expected {}", said, text, expected));
+          throw InputError(fmt::format("{} is '{}'; expected {}", spoken_name, text, expected));
         }
         value = *number;
       },
@@ -49,7 +49,7 @@ Argument add_range(CLI::App& command, const std::string& name, Number& value, Nu
   return Argument(option->default_str(fmt::format("{}", value))->type_name("NUMBER"));
 }
 
-// The names of the commands that may follow.
+// The names of possible subcommands.
 std::string commands_of(const CLI::App& app) {
   std::string names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -63,14 +63,14 @@ std::string full_name(const CLI::App& app) {
   return app.get_parent() == nullptr ? "bodkin" : full_name(*app.get_parent()) + " " + app.get_name();
 }
 
-// The command that was named last, and the words that no option accepted before it.
-struct Reached {
+// The last named command, and the words before it that no option accepted.
+struct ReachedCommand {
   const CLI::App* command;
   std::vector<std::string> left;
 };
 
-Reached reached(const CLI::App& app) {
-  Reached so_far{&app, {}};
+ReachedCommand reached_command(const CLI::App& app) {
+  ReachedCommand so_far{&app, {}};
   for (const CLI::App* next = &app; next != nullptr;) {
     so_far.command = next;
     const auto left = next->remaining();
@@ -92,7 +92,7 @@ std::string lower_first(std::string text) {
   return text;
 }
 
-// What is said of an option in --help, without its default.
+// The text of an option in --help, without its default.
 std::string about(const CLI::App& command, const std::string& name) {
   const CLI::Option* option = command.get_option_no_throw(name);
   return option == nullptr ? "a value"
@@ -126,6 +126,12 @@ CLI::App* add_command(CLI::App& parent, const std::string& name, const std::stri
   return command;
 }
 
+void add_command(CLI::App& parent, const std::string& name, const std::string& help, const std::string& footer,
+                 std::function<void(CLI::App& command)> declare) {
+  CLI::App* command = add_command(parent, name, help, footer);
+  command->preparse_callback([command, declare = std::move(declare)](std::size_t) { declare(*command); });
+}
+
 void need_command(CLI::App& command) {
   command.require_subcommand(1);
 }
@@ -135,13 +141,13 @@ void on_run(CLI::App& command, std::function<void()> work) {
 }
 
 Argument add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& help) {
-  const std::string said = spoken(name);
+  const std::string spoken_name = spoken(name);
   CLI::Option* option = command.add_option_function<std::string>(
       name,
-      [&value, said, help](const std::string& text) {
+      [&value, spoken_name, help](const std::string& text) {
         if (text.empty()) {
           throw InputError(
-              fmt::format("{} is empty; expected {}", said, lower_first(help.substr(0, help.find(" (")))));
+              fmt::format("{} is empty; expected {}", spoken_name, lower_first(help.substr(0, help.find(" (")))));
         }
         value = text;
       },
@@ -151,18 +157,18 @@ Argument add_text(CLI::App& command, const std::string& name, std::string& value
 
 Argument add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                    const std::string& help) {
-  const std::string said = spoken(name);
+  const std::string spoken_name = spoken(name);
   CLI::Option* option = command.add_option_function<std::vector<std::string>>(
       name,
-      [&values, said, help](const std::vector<std::string>& texts) {
+      [&values, spoken_name, help](const std::vector<std::string>& texts) {
         if (std::find(texts.begin(), texts.end(), "") != texts.end()) {
           throw InputError(
-              fmt::format("{} is empty; expected {}", said, lower_first(help.substr(0, help.find(" (")))));
+              fmt::format("{} is empty; expected {}", spoken_name, lower_first(help.substr(0, help.find(" (")))));
         }
         values = texts;
       },
       help);
-  // An argument without a name takes all that follow; an option takes one at a time and may be repeated.
+  // A positional argument takes all that follow; an option takes one at a time and may be repeated.
   if (name.starts_with('-')) {
     option->allow_extra_args(false);
   } else {
@@ -204,12 +210,12 @@ void require_writable(const fs::path& file, const std::string& option, const fs:
   }
   if (!input.empty() && fs::equivalent(file, input, ignored)) {
     throw InputError(
-        fmt::format("{} is '{}', which is read from; expected the name of another file", option, file.string()));
+        fmt::format("{} is '{}', which is also an input; expected the name of another file", option, file.string()));
   }
 }
 
 std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
-  const auto [command, left] = reached(app);
+  const auto [command, left] = reached_command(app);
   const std::string help = fmt::format("'{} --help' explains it", full_name(*command));
   const std::string kind = error.get_name(), what = error.what();
   const bool wants_command = !command->get_subcommands([](const CLI::App*) { return true; }).empty();

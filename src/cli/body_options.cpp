@@ -22,7 +22,7 @@ constexpr std::array<FaceSetting, 3> face_settings = {FaceSetting{"width_mm", &f
                                                       FaceSetting{"thickness_mm", &fem::ProbeFace::thickness},
                                                       FaceSetting{"radius_mm", &fem::ProbeFace::radius}};
 
-// The words of a text, without the blanks between them.
+// The blank-separated words of a text.
 std::vector<std::string_view> split_words(std::string_view text) {
   std::vector<std::string_view> words;
   while (true) {
@@ -34,7 +34,7 @@ std::vector<std::string_view> split_words(std::string_view text) {
   }
 }
 
-void take_face_setting(std::string_view word, fem::ProbeFace& face) {
+void parse_face_setting(std::string_view word, fem::ProbeFace& face) {
   const auto sign = std::min(word.find('='), word.size());
   for (const auto& [name, member] : face_settings) {
     if (word.substr(0, sign) != name) continue;
@@ -52,9 +52,10 @@ void take_face_setting(std::string_view word, fem::ProbeFace& face) {
 }  // namespace
 
 void add_body_option(CLI::App& command, std::string& body) {
-  add_text(command, "--body", body,
-           "static (the default), or \"moving SETTING=VALUE ...\": one that the probe of the second device presses "
-           "far, on a thread of its own; width_mm, thickness_mm, radius_mm of the probe's face");
+  add_text(
+      command, "--body", body,
+      "static (the default), or \"moving SETTING=VALUE ...\": a body that the second device's probe can press "
+      "deeply, computed on a thread of its own; settings: width_mm, thickness_mm, radius_mm of the probe's face");
 }
 
 std::optional<fem::ProbeFace> parse_body(const std::string& body) {
@@ -65,7 +66,7 @@ std::optional<fem::ProbeFace> parse_body(const std::string& body) {
     throw InputError(fmt::format("--body is '{}'; expected static, or moving with settings of the probe", body));
   if (!moves) return {};
   fem::ProbeFace face;
-  for (std::size_t word = 1; word < words.size(); ++word) take_face_setting(words[word], face);
+  for (std::size_t word = 1; word < words.size(); ++word) parse_face_setting(words[word], face);
   return face;
 }
 

@@ -14,7 +14,7 @@ namespace bodkin::cli {
 // Adds --body.
 void add_body_option(CLI::App& command, std::string& body);
 
-// What --body says: the probe's face of a moving body, none for a static one. Throws InputError naming --body.
+// The value of --body: the probe's face for a moving body, none for a static one. Throws InputError naming --body.
 std::optional<fem::ProbeFace> parse_body(const std::string& body);
 
 }  // namespace bodkin::cli

@@ -9,12 +9,12 @@ namespace bodkin::cli {
 
 station::CalibrationPerson calibration_person(Console& console, TerminalKeys& keys) {
   station::CalibrationPerson person;
-  person.say = [&console](const std::string& sentence) { console.line(sentence); };
+  person.report = [&console](const std::string& sentence) { console.line(sentence); };
   person.progress = console.progress();
-  person.waited = [&console] { console.clear_bar(); };
-  person.gives_up = [] { return EndOnSignal::signal() != 0; };
+  person.after_measurement = [&console] { console.clear_bar(); };
+  person.cancelled = [] { return EndOnSignal::signal() != 0; };
   if (!keys.are_there()) return person;
-  person.goes_on = [&keys] {
+  person.confirmed = [&keys] {
     bool pressed = false;
     while (const std::optional<char> key = keys.next()) pressed = pressed || *key == '\n' || *key == '\r';
     return pressed;

@@ -7,8 +7,8 @@
 
 namespace bodkin::cli {
 
-// The person at the terminal, who begins each step with the Enter key and gives up with a signal; without a terminal
-// the steps begin after their countdown. Both must outlive what this returns.
+// The user at the terminal, who begins each step with the Enter key and cancels with a signal; without a terminal the
+// steps begin after their countdown. Both arguments must outlive the result.
 station::CalibrationPerson calibration_person(Console& console, TerminalKeys& keys);
 
 }  // namespace bodkin::cli

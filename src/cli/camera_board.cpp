@@ -24,7 +24,7 @@ constexpr const char* camera_board_footer = R"(Examples:
   bodkin camera board board.pdf
   bodkin camera board board.pdf --square 20
 
-Print it at 100 % and glue it flat onto glass or a stiff board: a bent board is a wrong lens.)";
+Print it at 100 % and glue it flat onto glass or a stiff board; a bent board falsifies the calibration of the lens.)";
 
 void run_camera_board(const CameraBoardArguments& arguments, const CommandContext& context) {
   require_writable(arguments.file, "FILE");
@@ -40,12 +40,13 @@ void run_camera_board(const CameraBoardArguments& arguments, const CommandContex
 }  // namespace
 
 void add_camera_board_command(CLI::App& camera_group, CommandContext& context) {
-  auto arguments = std::make_shared<CameraBoardArguments>();
-  CLI::App* command =
-      add_command(camera_group, "board", "Print the board that a camera is calibrated with", camera_board_footer);
-  add_text(*command, "FILE", arguments->file, "PDF to print, A4").required();
-  add_number(*command, "--square", arguments->square, 10.0, 40.0, "Edge of a square, mm, 10 to 40");
-  on_run(*command, [arguments, &context] { run_camera_board(*arguments, context); });
+  add_command(camera_group, "board", "Print the board that a camera is calibrated with", camera_board_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<CameraBoardArguments>();
+                add_text(command, "FILE", arguments->file, "PDF to print, A4").required();
+                add_number(command, "--square", arguments->square, 10.0, 40.0, "Edge of a square, mm, 10 to 40");
+                on_run(command, [arguments, &context] { run_camera_board(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

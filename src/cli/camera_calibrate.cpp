@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "tracking/calibration_words.h"
+#include "tracking/calibration_texts.h"
 #include "tracking/camera_calibration.h"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,8 +33,9 @@ constexpr const char* camera_calibrate_footer = R"(Examples:
   bodkin camera calibrate pictures -o camera.json           a folder of single pictures
   bodkin camera calibrate video.mp4 --square 25.9 -o camera.json
 
-Of a camera or a video a picture counts only while the board rests, at places that were not seen before. Focus, exposure, gain
-and white balance of a camera are locked and stored: another focus is another lens. docs/augmented-reality.md says more.)";
+From a camera or a video, a picture is used only while the board rests at a place that was not seen before. Focus,
+exposure, gain and white balance of a camera are locked and stored, because another focus would be another lens. See
+docs/augmented-reality.md.)";
 
 void run_camera_calibrate(const CameraCalibrateArguments& arguments, const CommandContext& context) {
   require_writable(arguments.output, "--output");
@@ -51,9 +52,9 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
   options.in_motion = !std::filesystem::is_directory(arguments.footage.source, code);
   options.most_pictures = static_cast<int>(arguments.pictures);
   tracking::CameraCalibration calibration(board, options);
-  tracking::CalibrationWords words;
+  tracking::CalibrationTexts words;
   std::map<tracking::PictureUse, int> uses;
-  tracking::GreyPicture last;
+  tracking::GreyImage last;
   bool saw_corners = false;
   for_each_picture(*source, arguments.footage, console, "pictures", [&](const tracking::SourcePicture& frame) {
     const tracking::PictureUse use = calibration.add(frame.grey);
@@ -82,7 +83,7 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
   write_file(arguments.output, tracking::camera_json(made.camera));
   const tracking::CameraModel& camera = made.camera;
   console.line(
-      fmt::format("{} pictures used, {} refused as they fit badly, {} with the board moving, {} with too few "
+      fmt::format("{} pictures used, {} refused because they fit badly, {} with the board moving, {} with too few "
                   "corners, {} seen already",
                   made.pictures, made.refused, uses[tracking::PictureUse::moving],
                   uses[tracking::PictureUse::few_corners], uses[tracking::PictureUse::seen_already]));
@@ -110,16 +111,20 @@ void run_camera_calibrate(const CameraCalibrateArguments& arguments, const Comma
 }  // namespace
 
 void add_camera_calibrate_command(CLI::App& camera_group, CommandContext& context) {
-  auto arguments = std::make_shared<CameraCalibrateArguments>();
-  CLI::App* command =
-      add_command(camera_group, "calibrate", "Find lens, tone curve and blur of a camera", camera_calibrate_footer);
-  add_source_options(*command, arguments->footage);
-  add_text(*command, "-o,--output", arguments->output, "File for the camera (JSON)");
-  add_number(*command, "--square", arguments->square, 5.0, 200.0, "Edge of a square as it was printed, mm, 5 to 200");
-  add_whole_number(*command, "--pictures", arguments->pictures, 10, 100, "Pictures to keep, 10 to 100");
-  add_whole_number(*command, "--width", arguments->width, 160, 3840, "Asked of a camera, pixels, 160 to 3840");
-  add_whole_number(*command, "--height", arguments->height, 120, 2160, "Asked of a camera, pixels, 120 to 2160");
-  on_run(*command, [arguments, &context] { run_camera_calibrate(*arguments, context); });
+  add_command(camera_group, "calibrate", "Find lens, tone curve and blur of a camera", camera_calibrate_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<CameraCalibrateArguments>();
+                add_source_options(command, arguments->footage);
+                add_text(command, "-o,--output", arguments->output, "File for the camera (JSON)");
+                add_number(command, "--square", arguments->square, 5.0, 200.0,
+                           "Edge of a square as it was printed, mm, 5 to 200");
+                add_whole_number(command, "--pictures", arguments->pictures, 10, 100, "Pictures to keep, 10 to 100");
+                add_whole_number(command, "--width", arguments->width, 160, 3840,
+                                 "Width to request from a camera, pixels, 160 to 3840");
+                add_whole_number(command, "--height", arguments->height, 120, 2160,
+                                 "Height to request from a camera, pixels, 120 to 2160");
+                on_run(command, [arguments, &context] { run_camera_calibrate(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -22,16 +22,16 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* breathe_examples =
-    R"(Lets the patient breathe: tissue about a centre goes to and fro, as the organs below the diaphragm do, and with
-it the needle, the ultrasound and the pictures. Says how far target, entry and structures move.
+    R"(Makes the patient breathe: tissue around a centre moves to and fro, as the organs below the diaphragm do, and so do
+the needle in it, the ultrasound and the images. Prints how far target, entry and structures move.
 
 Examples:
   bodkin case breathe patient                              about the target, 10 mm to the feet and 3 to the front
   bodkin case breathe patient --centre kidney_left --motion 0,-4,-15
   bodkin case breathe patient --rate 20 --radius 60        faster, and less of the patient
-  bodkin case breathe patient --off                        the breath is held again
+  bodkin case breathe patient --off                        the patient no longer breathes
 
-Exit code: 0, or 2 for bad input; then the case is as it was.)";
+Exit code: 0, or 2 for bad input, which leaves the case unchanged.)";
 
 constexpr double moves = 0.1;           // mm, what is worth a line
 constexpr double bone_stands_by = 1.0;  // mm, by which bones may move unremarked
@@ -43,7 +43,7 @@ struct BreatheOptions {
   bool off = false;
 };
 
-// LPS mm, the mean of a structure's voxels.
+// Mean of a structure's voxels, LPS mm.
 Vec3 middle_of(const anatomy::Case& patient, const std::string& name) {
   std::string names;
   for (const anatomy::Structure& each : patient.description.structures) {
@@ -59,7 +59,7 @@ Vec3 middle_of(const anatomy::Case& patient, const std::string& name) {
     if (count == 0.0) throw InputError(fmt::format("the structure {} has no voxel", name));
     return grid.to_patient(sum / count);
   }
-  throw InputError(fmt::format("--centre is '{}', which is no structure of {}; it has {}", name,
+  throw InputError(fmt::format("--centre is '{}', which is not a structure of {}; it has {}", name,
                                patient.description.name, names.empty() ? "none" : names));
 }
 
@@ -67,13 +67,13 @@ Vec3 centre_of(const BreatheOptions& options, const anatomy::Case& patient) {
   if (options.centre.empty()) {
     if (patient.description.procedure.path) return patient.description.procedure.path->target;
     throw InputError(
-        fmt::format("{} has no target about which tissue could move; give a place with --centre", options.folder));
+        fmt::format("{} has no target to centre the motion on; give a place with --centre", options.folder));
   }
   if (options.centre.find(',') != std::string::npos) return parse_point(options.centre, "--centre");
   return middle_of(patient, options.centre);
 }
 
-// mm by which the voxels of each structure, and of bone, move at most.
+// Maximum motion of the voxels of each structure, and of bone, mm.
 struct Motions {
   std::map<std::string, double> structures;
   double bone = 0.0;
@@ -147,33 +147,35 @@ void breathe(const BreatheOptions& options, CommandContext& context) {
   for (const auto& [name, most] : found.structures) console.line(fmt::format("{:<28} up to {:4.1f} mm", name, most));
   console.json(result.dump(2, ' ', false, json::error_handler_t::replace));
   if (found.bone > bone_stands_by) {
-    console.note(
-        fmt::format("bone moves too, by up to {:.1f} mm; a smaller --radius or another --centre lets it stand "
-                    "still",
-                    found.bone));
+    console.note(fmt::format(
+        "bone moves too, by up to {:.1f} mm; a smaller --radius or another --centre keeps it still", found.bone));
   }
 }
 
 }  // namespace
 
 void add_case_breathe_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command =
-      add_command(case_group, "breathe", "Let a patient breathe, or hold the breath again", breathe_examples);
-  const auto options = std::make_shared<BreatheOptions>();
-  anatomy::Breathing& breathing = options->breathing;
-  add_text(*command, "CASE", options->folder, "Folder of the case").required();
-  add_text(*command, "--centre", options->centre,
-           "x,y,z in LPS mm, or the name of a structure: tissue there moves most (default: the target of the case)");
-  add_text(*command, "--motion", options->motion,
-           "x,y,z in mm: how the centre moves as breath is drawn in, LPS (default: 0,-3,-10)");
-  add_number(*command, "--radius", breathing.radius, 20.0, 500.0,
-             "mm about the centre, 20 to 500: tissue farther away stands still");
-  add_number(*command, "--rate", breathing.rate, 2.0, 60.0, "Breaths a minute, 2 to 60");
-  add_whole_number(*command, "--pause", options->pause, 1, 6, "How long the patient pauses breathed out, 1 to 6");
-  add_number(*command, "--longest-hold", breathing.longest_hold, 1.0, 120.0,
-             "s, 1 to 120, that the patient holds the breath when asked to");
-  add_switch(*command, "--off", options->off, "The patient does not breathe");
-  on_run(*command, [options, &context] { breathe(*options, context); });
+  add_command(
+      case_group, "breathe", "Make a patient breathe, or stop breathing", breathe_examples,
+      [&context](CLI::App& command) {
+        const auto options = std::make_shared<BreatheOptions>();
+        anatomy::Breathing& breathing = options->breathing;
+        add_text(command, "CASE", options->folder, "Folder of the case").required();
+        add_text(
+            command, "--centre", options->centre,
+            "x,y,z in LPS mm, or the name of a structure: tissue there moves most (default: the target of the case)");
+        add_text(command, "--motion", options->motion,
+                 "x,y,z in mm: how the centre moves as breath is drawn in, LPS (default: 0,-3,-10)");
+        add_number(command, "--radius", breathing.radius, 20.0, 500.0,
+                   "mm about the centre, 20 to 500: tissue farther away stands still");
+        add_number(command, "--rate", breathing.rate, 2.0, 60.0, "Breaths a minute, 2 to 60");
+        add_whole_number(command, "--pause", options->pause, 1, 6,
+                         "How long the patient pauses breathed out, 1 to 6");
+        add_number(command, "--longest-hold", breathing.longest_hold, 1.0, 120.0,
+                   "Longest time that the patient holds the breath when asked to, s, 1 to 120");
+        add_switch(command, "--off", options->off, "The patient does not breathe");
+        on_run(command, [options, &context] { breathe(*options, context); });
+      });
 }
 
 }  // namespace bodkin::cli

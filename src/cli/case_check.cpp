@@ -20,15 +20,15 @@ namespace {
 
 constexpr const char* examples =
     R"(Checks that case.xml fits its schema, that every file is there, undamaged and the one the
-case was made with, that the volumes lie on each other, that every label and tissue is known,
-that the planned path leads from the skin to its aim, and that the mesh, if there is one, is
-sound. Says everything that is wrong.
+case was made with, that the volumes cover the same region, that every label and tissue is
+known, that the planned path leads from the skin to its target, and that the mesh, if there is
+one, is valid. Lists everything that is wrong.
 
 Examples:
   bodkin case check patient
   bodkin --json case check patient        {"case": ..., "sound": ..., "problems": [...]}
 
-Exit code: 0 sound, 2 not.)";
+Exit code: 0 if the case is valid, 2 if it is not.)";
 
 std::string summary(const anatomy::CaseDescription& description) {
   std::string text =
@@ -43,7 +43,7 @@ std::string summary(const anatomy::CaseDescription& description) {
   return text;
 }
 
-// Of the mesh for the deformable body, where the case has one; nothing when its description cannot be read either.
+// Checks the mesh for the deformable body, if the case has one; empty also if its description cannot be read.
 std::vector<std::string> mesh_problems(const std::string& folder) {
   anatomy::TissueLibrary library;
   try {
@@ -80,22 +80,24 @@ void check(const std::string& folder, CommandContext& context) {
   console.json(nlohmann::json{{"case", folder}, {"sound", problems.empty()}, {"problems", problems}}.dump(
       2, ' ', false, nlohmann::json::error_handler_t::replace));
   if (problems.empty()) {
-    console.line(fmt::format("{} is sound: {}", folder, summary(io::read_case_description(folder))));
+    console.line(fmt::format("{} is valid: {}", folder, summary(io::read_case_description(folder))));
     return;
   }
   for (const std::string& problem : problems) console.line(problem);
   console.line(
-      fmt::format("{} is not sound: {} problem{}", folder, problems.size(), problems.size() == 1 ? "" : "s"));
+      fmt::format("{} is not valid: {} problem{}", folder, problems.size(), problems.size() == 1 ? "" : "s"));
   context.exit_code = 2;
 }
 
 }  // namespace
 
 void add_case_check_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command = add_command(case_group, "check", "Find everything that is wrong with a case folder", examples);
-  auto folder = std::make_shared<std::string>();
-  add_text(*command, "CASE", *folder, "Folder of the case").required();
-  on_run(*command, [folder, &context] { check(*folder, context); });
+  add_command(case_group, "check", "Find everything that is wrong with a case folder", examples,
+              [&context](CLI::App& command) {
+                auto folder = std::make_shared<std::string>();
+                add_text(command, "CASE", *folder, "Folder of the case").required();
+                on_run(command, [folder, &context] { check(*folder, context); });
+              });
 }
 
 }  // namespace bodkin::cli

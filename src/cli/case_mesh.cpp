@@ -41,8 +41,8 @@ constexpr const char* case_mesh_footer = R"(Examples:
   bodkin case mesh patient --import body.msh --regions regions.csv
 
 The mesh is kept in the case folder as mesh.vtu and made again only when the tissues, the path or these options have
-changed. --nodes wins: the edge lengths are scaled until the number of nodes fits. docs/meshing.md says what is meshed
-and how. Meshes are made by the program bodkin-mesher, which is under the GNU GPL version 3 or later because it
+changed. --nodes takes precedence: the edge lengths are scaled until the number of nodes fits. docs/meshing.md says what
+is meshed and how. Meshes are made by the program bodkin-mesher, which is under the GNU GPL version 3 or later because it
 contains CGAL's Mesh_3; --import works without it.)";
 
 struct CaseMeshOptions {
@@ -51,7 +51,7 @@ struct CaseMeshOptions {
   bool force = false, merge_layers = false;
 };
 
-// A mesh with what is to be said of it.
+// A mesh with the remarks about it.
 struct MeshOutcome {
   patient::CaseMesh body;
   bool reused = false;
@@ -70,7 +70,7 @@ void refuse_foreign_mesh(const fs::path& folder, bool force) {
                   (folder / patient::mesh_file_name).string()));
 }
 
-// Whether the folder holds the mesh that `made_from` stands for.
+// Whether the folder contains the mesh made from `made_from`.
 bool is_there(const fs::path& folder, const std::string& made_from) {
   const std::optional<patient::MeshRecord> record = patient::read_mesh_record(folder);
   return record && record->made_from == made_from;
@@ -112,7 +112,7 @@ void require_overlap(const anatomy::TetrahedralMesh& mesh, const anatomy::Tissue
                   tiny ? "which is much smaller than the patient" : "where the case has no body"));
 }
 
-// What the body's solver would refuse later. What it would warn of is noted.
+// Errors that the body's solver would report later. Its warnings become notes.
 void require_usable(const anatomy::TetrahedralMesh& mesh, const std::string& file, std::vector<std::string>& notes) {
   try {
     for (std::string& warning : fem::check_mesh(mesh)) notes.push_back(std::move(warning));
@@ -184,7 +184,7 @@ void print_mesh(const Console& console, const CaseMeshOptions& options, const Me
   }
   if (record && record->source.empty()) {
     console.line(
-        fmt::format("  for that number of nodes edges are {:.2f} times those asked for: {:.2f} mm fine, "
+        fmt::format("  to reach that number of nodes, edges are {:.2f} times as long as requested: {:.2f} mm fine, "
                     "{:.1f} mm coarse",
                     record->scale, record->scale * options.settings.fine, record->scale * options.settings.coarse));
   }
@@ -277,30 +277,38 @@ void run_case_mesh(const CaseMeshOptions& options, const CommandContext& context
 }  // namespace
 
 void add_case_mesh_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command =
-      add_command(case_group, "mesh", "Fill a patient with tetrahedra for the deformable body", case_mesh_footer);
-  const auto options = std::make_shared<CaseMeshOptions>();
-  patient::MeshSettings& settings = options->settings;
-  add_text(*command, "CASE", options->folder, "Folder of the case").required();
-  add_whole_number(*command, "--nodes", settings.nodes, 500, 400000, "Number of nodes, met within a tenth");
-  add_number(*command, "--fine", settings.fine, 0.2, 20.0,
-             "mm, edges in the corridor and at tissue borders near it, before scaling to --nodes");
-  add_number(*command, "--coarse", settings.coarse, 0.2, 100.0, "mm, edges far away, before scaling");
-  add_number(*command, "--corridor", settings.corridor_radius, 1.0, 200.0,
-             "mm, radius of the corridor around the planned path");
-  add_switch(*command, "--merge-layers", options->merge_layers,
-             "Merge thin layers (skin, ligamentum flavum, dura) with their neighbours where the planned path crosses "
-             "them, too; "
-             "without it the mesh is finer there, and too few --nodes for that are refused with the number needed");
-  add_text(*command, "--import", options->import, "Take this mesh instead: Gmsh .msh (ASCII 2.2 or 4.1) or VTK .vtu");
-  add_text(*command, "--regions", options->regions,
-           "CSV with label,name,tissue,critical: tissues of the imported regions (without it they are tissue ids)");
-  add_text(*command, "-o,--output", options->output, "The picture, .png or .svg (default: mesh.png in the case)");
-  add_switch(*command, "--force", options->force, "Make the mesh again, and replace one that is not ours");
-  on_run(*command, [options, &context] {
-    options->settings.hold_layers = !options->merge_layers;
-    run_case_mesh(*options, context);
-  });
+  add_command(
+      case_group, "mesh", "Fill a patient with tetrahedra for the deformable body", case_mesh_footer,
+      [&context](CLI::App& command) {
+        const auto options = std::make_shared<CaseMeshOptions>();
+        patient::MeshSettings& settings = options->settings;
+        add_text(command, "CASE", options->folder, "Folder of the case").required();
+        add_whole_number(command, "--nodes", settings.nodes, 500, 400000,
+                         "Number of nodes; the mesh has this many within 10 %");
+        add_number(command, "--fine", settings.fine, 0.2, 20.0,
+                   "mm, edges in the corridor and at tissue borders near it, before scaling to --nodes");
+        add_number(command, "--coarse", settings.coarse, 0.2, 100.0, "mm, edges far away, before scaling");
+        add_number(command, "--corridor", settings.corridor_radius, 1.0, 200.0,
+                   "mm, radius of the corridor around the planned path");
+        add_switch(
+            command, "--merge-layers", options->merge_layers,
+            "Merge thin layers (skin, ligamentum flavum, dura) with their neighbours where the planned path crosses "
+            "them, too; without it the mesh is finer there, and too few --nodes for that are refused with the number "
+            "needed");
+        add_text(command, "--import", options->import,
+                 "Take this mesh instead: Gmsh .msh (ASCII 2.2 or 4.1) or VTK .vtu");
+        add_text(
+            command, "--regions", options->regions,
+            "CSV with label,name,tissue,critical: tissues of the imported regions (without it they are tissue ids)");
+        add_text(command, "-o,--output", options->output,
+                 "The picture, .png or .svg (default: mesh.png in the case)");
+        add_switch(command, "--force", options->force,
+                   "Make the mesh again, and replace one that this command did not make");
+        on_run(command, [options, &context] {
+          options->settings.preserve_layers = !options->merge_layers;
+          run_case_mesh(*options, context);
+        });
+      });
 }
 
 }  // namespace bodkin::cli

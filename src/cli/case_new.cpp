@@ -31,8 +31,8 @@ constexpr const char* case_new_footer = R"(Examples:
                           --target liver_lesion --needle 18,150,chiba
   bodkin case new patient --ct dicom_folder --series 2 --entry 4.5,-45,293 --target 3,-117.5,294
 
-The geometry of the CT is carried exactly; nothing is flipped or resampled, except a stack of slices that no regular grid
-can hold (gantry tilt, uneven steps), and then a note says so. docs/importing.md has the rules.)";
+The geometry of the CT is kept exactly. Nothing is flipped or resampled, except slices that do not form a regular grid
+(gantry tilt, uneven steps); a note then says so. docs/importing.md has the rules.)";
 
 void run_case_new(const CaseNewOptions& options, const CommandContext& context) {
   nlohmann::json request = new_case_request(options.common);
@@ -41,12 +41,13 @@ void run_case_new(const CaseNewOptions& options, const CommandContext& context) 
     request["labels"] = io::path_text(options.labels);
     if (!options.scheme.empty()) request["scheme"] = io::path_text(options.scheme);
   } else if (!options.scheme.empty() || options.resample_labels) {
-    throw InputError("--scheme and --resample-labels say something about labels; give the file with --labels");
+    throw InputError("--scheme and --resample-labels need a segmentation; give its file with --labels");
   }
   if (!options.tissues.empty()) request["tissues"] = io::path_text(options.tissues);
   if (!options.level.empty()) {
     if (!options.common.target.empty())
-      throw InputError("--level plans a path through an interspace, --target one to a place of its own; say either");
+      throw InputError(
+          "--level plans a path through an interspace, --target a path to a given point; give only one of them");
     request["level"] = options.level;
   }
   if (!options.lowest_vertebra.empty()) request["lowest_vertebra"] = options.lowest_vertebra;
@@ -62,38 +63,43 @@ void run_case_new(const CaseNewOptions& options, const CommandContext& context) 
 }  // namespace
 
 void add_case_new_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command =
-      add_command(case_group, "new", "Make a case from a CT, with or without labels", case_new_footer);
-  const auto options = std::make_shared<CaseNewOptions>();
-  add_new_case_options(*command, options->common);
-  add_text(*command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage").required();
-  add_text(*command, "--labels", options->labels,
-           "Segmentation of this CT, in any of the same formats, or a DICOM segmentation or structure set");
-  add_text(*command, "--scheme", options->scheme,
-           "What the labels mean: totalsegmentator, totalsegmentator_v1, tptbox, or a CSV file with the columns "
-           "label,name,tissue,critical (default: the names in the file, else totalsegmentator)");
-  add_text(*command, "--tissues", options->tissues,
-           "Tissue library of the case, XML, with Bodkin's own tissues and yours (default: the one that comes with "
-           "Bodkin)");
-  add_text(
-      *command, "--level", options->level,
-      "Interspace to plan the puncture at, such as L4_L5 (default: L3_L4, L4_L5 or L2_L3, never higher unless named "
-      "here)");
-  add_text(
-      *command, "--lowest-vertebra", options->lowest_vertebra,
-      "Vertebra above the lowest interspace in the CT, such as L5, where the CT itself does not tell the levels");
-  add_text(*command, "--conus", options->conus,
-           "Where the spinal cord ends: a vertebra, its middle, or an interspace (default: lower third of L1)");
-  add_number(*command, "--age", options->age, 0.0, 120.0, "Years, 0 to 120: below 2 the spinal cord ends lower")
-      .without_default();
-  add_whole_number(*command, "--series", options->series, 1, 100000,
-                   "Which series of a DICOM folder, counted from 1 as it is listed")
-      .without_default();
-  add_switch(*command, "--resample-labels", options->resample_labels,
-             "Take the nearest label at each CT voxel when the labels lie on other voxels");
-  add_switch(*command, "--fill-missing", options->fill_missing, "Interpolate missing slices");
-  add_switch(*command, "--assume-hu", options->assume_hu, "Take the values as HU even if they do not look like it");
-  on_run(*command, [options, &context] { run_case_new(*options, context); });
+  add_command(
+      case_group, "new", "Make a case from a CT, with or without labels", case_new_footer,
+      [&context](CLI::App& command) {
+        const auto options = std::make_shared<CaseNewOptions>();
+        add_new_case_options(command, options->common);
+        add_text(command, "--ct", options->ct, "CT: DICOM folder, NIfTI, NRRD or MetaImage").required();
+        add_text(command, "--labels", options->labels,
+                 "Segmentation of this CT, in any of the same formats, or a DICOM segmentation or structure set");
+        add_text(
+            command, "--scheme", options->scheme,
+            "What the labels mean: totalsegmentator, totalsegmentator_v1, tptbox, or a CSV file with the columns "
+            "label,name,tissue,critical (default: the names in the file, else totalsegmentator)");
+        add_text(
+            command, "--tissues", options->tissues,
+            "Tissue library of the case, XML, with Bodkin's own tissues and yours (default: the one that comes with "
+            "Bodkin)");
+        add_text(command, "--level", options->level,
+                 "Interspace to plan the puncture at, such as L4_L5 (default: L3_L4, L4_L5 or L2_L3, never higher "
+                 "unless named here)");
+        add_text(command, "--lowest-vertebra", options->lowest_vertebra,
+                 "Vertebra above the lowest interspace in the CT, such as L5, for a CT in which the levels cannot be "
+                 "determined");
+        add_text(
+            command, "--conus", options->conus,
+            "Where the spinal cord ends: a vertebra (at its middle) or an interspace (default: lower third of L1)");
+        add_number(command, "--age", options->age, 0.0, 120.0, "Years, 0 to 120: below 2 the spinal cord ends lower")
+            .without_default();
+        add_whole_number(command, "--series", options->series, 1, 100000,
+                         "Number of the series in a DICOM folder, from 1, in the order of the list")
+            .without_default();
+        add_switch(command, "--resample-labels", options->resample_labels,
+                   "Take the nearest label at each CT voxel when the labels lie on other voxels");
+        add_switch(command, "--fill-missing", options->fill_missing, "Interpolate missing slices");
+        add_switch(command, "--assume-hu", options->assume_hu,
+                   "Take the values as HU even if they do not look like it");
+        on_run(command, [options, &context] { run_case_new(*options, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -26,12 +26,12 @@ constexpr const char* plan_examples =
 the procedure of the case forbids, and to every structure that the case marks as critical.
 
 Examples:
-  bodkin case plan patient                              other ways to the target that the case has
+  bodkin case plan patient                              other paths to the target of the case
   bodkin case plan patient --target liver_lesion        to the middle of a structure
   bodkin case plan patient --target 12,-80,240 --save 1 the best one becomes the path of the case
   bodkin --json case plan patient                       with the clearance to every structure in 30 mm
 
-Exit code: 0 with a path, 2 bad input, 3 there is none, and why.)";
+Exit code: 0 if there is a path, 2 for bad input, 3 if there is no path; the output says why.)";
 
 struct CasePlanOptions {
   std::string folder, target, procedure;
@@ -87,14 +87,14 @@ void plan(const CasePlanOptions& options, CommandContext& context) {
   const patient::PlanningRules rules = training::planning_rules(procedure);
   const patient::PatientView view = patient::view_of(patient);
   const Vec3 target = target_of(options, patient);
-  patient::PathWishes wishes = patient::wishes_for(patient.description.needle, rules);
-  wishes.count = static_cast<std::size_t>(options.count);
+  patient::PathCriteria criteria = patient::criteria_for(patient.description.needle, rules);
+  criteria.count = static_cast<std::size_t>(options.count);
   const patient::Obstacles obstacles = patient::find_obstacles(view, rules, target);
   patient::PathSearch search;
   if (const auto problem = patient::level_problem(view, rules, target)) {
     search.why_not = fmt::format("No path is planned there for {}: {}.", procedure.title, *problem);
   } else {
-    search = patient::search_paths(view, obstacles, target, wishes);
+    search = patient::search_paths(view, obstacles, target, criteria);
   }
   json paths = json::array();
   for (const patient::PathReport& each : search.proposals) paths.push_back(report_json(patient, obstacles, each));
@@ -137,18 +137,21 @@ void plan(const CasePlanOptions& options, CommandContext& context) {
 }  // namespace
 
 void add_case_plan_command(CLI::App& case_group, CommandContext& context) {
-  CLI::App* command = add_command(
-      case_group, "plan", "List the best straight paths to a target, and what they keep clear of", plan_examples);
-  const auto options = std::make_shared<CasePlanOptions>();
-  add_text(*command, "CASE", options->folder, "Folder of the case").required();
-  add_text(*command, "--target", options->target,
-           "x,y,z in LPS mm, or the name of a structure, whose middle is meant (default: the target of the case)");
-  add_text(*command, "--procedure", options->procedure,
-           "What must be kept away from: a procedure of Bodkin's or a file (default: that of the case)");
-  add_whole_number(*command, "--count", options->count, 1, 20, "How many paths, 1 to 20");
-  add_whole_number(*command, "--save", options->save, 1, 20, "This one becomes the path of the case")
-      .without_default();
-  on_run(*command, [options, &context] { plan(*options, context); });
+  add_command(case_group, "plan", "List the best straight paths to a target, and what they keep clear of",
+              plan_examples, [&context](CLI::App& command) {
+                const auto options = std::make_shared<CasePlanOptions>();
+                add_text(command, "CASE", options->folder, "Folder of the case").required();
+                add_text(
+                    command, "--target", options->target,
+                    "x,y,z in LPS mm, or the name of a structure (its middle) (default: the target of the case)");
+                add_text(command, "--procedure", options->procedure,
+                         "Procedure that says what to keep clear of: a name or a file (default: that of the case)");
+                add_whole_number(command, "--count", options->count, 1, 20, "How many paths, 1 to 20");
+                add_whole_number(command, "--save", options->save, 1, 20,
+                                 "Number of the path to save as the path of the case")
+                    .without_default();
+                on_run(command, [options, &context] { plan(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -66,7 +66,7 @@ nlohmann::json json_of(const anatomy::Grid& grid) {
           {"origin_mm", json_point(grid.origin)}};
 }
 
-// The name of a case as the name of a file.
+// A case's name as a file name.
 std::string file_name_of(const std::string& name) {
   std::string safe;
   for (const char c : name) {
@@ -192,16 +192,18 @@ void run_case_show(const std::string& folder, const std::string& output, const C
 }  // namespace
 
 void add_case_show_command(CLI::App& case_group, CommandContext& context) {
-  struct Arguments {
-    std::string folder;
-    std::string output;
-  };
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = add_command(case_group, "show", "What is in a case, as text and as a picture of three slices",
-                                  case_show_footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_text(*command, "-o,--output", arguments->output, "The picture, .png or .svg (default: NAME.png)");
-  on_run(*command, [arguments, &context] { run_case_show(arguments->folder, arguments->output, context); });
+  add_command(case_group, "show", "Print what is in a case, and draw three slices of it", case_show_footer,
+              [&context](CLI::App& command) {
+                struct Arguments {
+                  std::string folder;
+                  std::string output;
+                };
+                auto arguments = std::make_shared<Arguments>();
+                add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+                add_text(command, "-o,--output", arguments->output, "The picture, .png or .svg (default: NAME.png)");
+                on_run(command,
+                       [arguments, &context] { run_case_show(arguments->folder, arguments->output, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -22,7 +22,7 @@ struct CaseSynthesizeOptions {
   NewCaseOptions common;
   std::int64_t seed = 1;
   bool vary = false;
-  // A parameter with its option; what is not given is drawn with --vary.
+  // A parameter with its option; --vary draws the ones not given.
   struct Choice {
     double patient::LumbarParameters::*member;
     const char* name;
@@ -39,7 +39,7 @@ constexpr const char* case_synthesize_footer = R"(Examples:
   bodkin case synthesize lumbar quick --spacing 2
   bodkin case synthesize lumbar curved --scoliosis 25 --calcification 0.6
   bodkin case synthesize lumbar biopsy --lesion 20 --procedure ct_guided_biopsy --target lesion --needle 18,150,chiba
-  bodkin case synthesize lumbar patient_7 --vary --seed 7      somebody else for every seed
+  bodkin case synthesize lumbar patient_7 --vary --seed 7      another person for every seed
 
 The same parameters give the same patient on every machine. docs/synthetic-patient.md says what is in it and where the
 numbers come from.)";
@@ -92,7 +92,7 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
       {&Parameters::calcification, "calcification", 0.0, 1.0,
        "How far the ligaments behind the canal are calcified, from behind: 0 = nowhere, 1 = all the way"},
       {&Parameters::lesion, "lesion", 0.0, 30.0,
-       "mm across, 8 to 30: a lesion beside the left psoas at L3, for biopsies; 0: none"},
+       "mm across, 8 to 30: a lesion next to the left psoas at L3, for biopsies; 0: none"},
       {&Parameters::spacing, "spacing", 0.5, 3.0, "mm, of the voxels, 0.5 to 3"},
   }};
   options->choices.reserve(declared.size());  // the options point at the values
@@ -101,9 +101,9 @@ void add_case_synthesize_command(CLI::App& case_group, CommandContext& context) 
     CaseSynthesizeOptions::Choice& choice = options->choices.back();
     choice.option = add_number(*command, std::string("--") + each.name, choice.value, each.low, each.high, each.help);
   }
-  add_switch(
-      *command, "--vary", options->vary,
-      "What is not given (age, height, weight, flexion, scoliosis, calcification, gauge) is drawn from the seed");
+  add_switch(*command, "--vary", options->vary,
+             "Values that are not given (age, height, weight, flexion, scoliosis, calcification, gauge) are drawn at "
+             "random from the seed");
   on_run(*command, [options, &context] { run_case_synthesize(*options, context); });
   add_case_synthesize_body_command(*group, context);
   add_case_synthesize_phantom_command(*group, context);

@@ -57,21 +57,23 @@ void run_case_synthesize_body(const CaseSynthesizeBodyOptions& options, const Co
 }  // namespace
 
 void add_case_synthesize_body_command(CLI::App& group, CommandContext& context) {
-  auto options = std::make_shared<CaseSynthesizeBodyOptions>();
-  CLI::App* command =
-      add_command(group, "body", "A whole body, or a block about an acupuncture point", case_synthesize_body_footer);
-  add_text(*command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
-  add_text(*command, "--name", options->name, "Name of the patient (default: the folder's)");
-  add_text(*command, "--point", options->point, "Code or name of the point (default: the whole body)");
-  add_body_parameters(*command, options->body);
-  add_number(*command, "--width", options->width, 40.0, 400.0, "mm, of the block about the point, 40 to 400");
-  add_number(*command, "--spacing", options->spacing, 0.8, 8.0,
-             "mm, of the voxels: 0.8 to 3 of a block, 3 to 8 of the whole body (default: 1, 4)")
-      .without_default();
-  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  add_whole_number(*command, "--seed", options->seed, 0, any, "Noise of the image");
-  add_switch(*command, "--overwrite", options->overwrite, "Replace a case that is already there");
-  on_run(*command, [options, &context] { run_case_synthesize_body(*options, context); });
+  add_command(group, "body", "A whole body, or a block about an acupuncture point", case_synthesize_body_footer,
+              [&context](CLI::App& command) {
+                auto options = std::make_shared<CaseSynthesizeBodyOptions>();
+                add_text(command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
+                add_text(command, "--name", options->name, "Name of the patient (default: the folder's)");
+                add_text(command, "--point", options->point, "Code or name of the point (default: the whole body)");
+                add_body_parameters(command, options->body);
+                add_number(command, "--width", options->width, 40.0, 400.0,
+                           "mm, of the block about the point, 40 to 400");
+                add_number(command, "--spacing", options->spacing, 0.8, 8.0,
+                           "mm, of the voxels: 0.8 to 3 of a block, 3 to 8 of the whole body (default: 1, 4)")
+                    .without_default();
+                constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+                add_whole_number(command, "--seed", options->seed, 0, any, "Noise of the image");
+                add_switch(command, "--overwrite", options->overwrite, "Replace a case that is already there");
+                on_run(command, [options, &context] { run_case_synthesize_body(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -30,7 +30,7 @@ constexpr const char* case_synthesize_phantom_footer = R"(Examples:
 
 bodkin figures recomputes the published experiments; docs/figures.md explains their format.)";
 
-// The file itself, or the experiment of that name that comes with Bodkin.
+// The file itself, or the supplied experiment of that name.
 io::Experiment experiment_of(const std::string& wanted) {
   std::error_code failure;
   if (fs::is_regular_file(wanted, failure)) return io::read_experiment(wanted);
@@ -66,15 +66,17 @@ void run_case_synthesize_phantom(const CaseSynthesizePhantomOptions& options, co
 }  // namespace
 
 void add_case_synthesize_phantom_command(CLI::App& group, CommandContext& context) {
-  auto options = std::make_shared<CaseSynthesizePhantomOptions>();
-  CLI::App* command = add_command(group, "phantom", "The layers of an experiment, to be felt with any device",
-                                  case_synthesize_phantom_footer);
-  add_text(*command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
-  add_text(*command, "--experiment", options->experiment, "Name of a published experiment, or file of your own")
-      .required();
-  add_text(*command, "--name", options->name, "Name of the case (default: the experiment's)");
-  add_switch(*command, "--overwrite", options->overwrite, "Replace a case that is already there");
-  on_run(*command, [options, &context] { run_case_synthesize_phantom(*options, context); });
+  add_command(group, "phantom", "The layers of an experiment, to feel with any device",
+              case_synthesize_phantom_footer, [&context](CLI::App& command) {
+                auto options = std::make_shared<CaseSynthesizePhantomOptions>();
+                add_text(command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
+                add_text(command, "--experiment", options->experiment,
+                         "Name of a published experiment, or file of your own")
+                    .required();
+                add_text(command, "--name", options->name, "Name of the case (default: the experiment's)");
+                add_switch(command, "--overwrite", options->overwrite, "Replace a case that is already there");
+                on_run(command, [options, &context] { run_case_synthesize_phantom(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

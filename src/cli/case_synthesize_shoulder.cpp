@@ -26,7 +26,7 @@ struct CaseSynthesizeShoulderOptions {
   std::string folder, name, side = "right", target = "joint", needle, mechanics, procedure;
   bool overwrite = false, vary = false;
   std::int64_t seed = 1;
-  // A parameter with its option; what is not given is drawn with --vary.
+  // A parameter with its option; --vary draws the ones not given.
   struct Choice {
     double patient::ShoulderParameters::*member;
     double value;
@@ -41,11 +41,11 @@ constexpr const char* case_synthesize_shoulder_footer = R"(Examples:
   bodkin case synthesize shoulder stout --weight 105 --height 1.70 --side left
   bodkin case synthesize shoulder dry --fluid 3 --age 70
   bodkin case synthesize shoulder block --target suprascapular_nerve
-  bodkin case synthesize shoulder patient_7 --vary --seed 7      somebody else for every seed
+  bodkin case synthesize shoulder patient_7 --vary --seed 7      another person for every seed
 
 The planned path is the posterior approach: 2 cm below and 1 cm medial of the posterolateral corner of the acromion,
-towards the coracoid. With --target suprascapular_nerve it goes from behind and above to a place beside that nerve, for
-an ultrasound-guided nerve block. docs/synthetic-shoulder.md says what is in it and where the numbers come from.)";
+towards the coracoid. With --target suprascapular_nerve it goes from behind and above to a place next to that nerve,
+for an ultrasound-guided nerve block. docs/synthetic-shoulder.md says what is in it and where the numbers come from.)";
 
 patient::BodySide side_of(const std::string& text) {
   if (text == "left") return patient::BodySide::left;
@@ -101,48 +101,52 @@ void run_case_synthesize_shoulder(const CaseSynthesizeShoulderOptions& options, 
 }  // namespace
 
 void add_case_synthesize_shoulder_command(CLI::App& group, CommandContext& context) {
-  auto options = std::make_shared<CaseSynthesizeShoulderOptions>();
-  CLI::App* command = add_command(group, "shoulder", "A shoulder, for an injection into its joint or a nerve block",
-                                  case_synthesize_shoulder_footer);
-  add_text(*command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
-  add_text(*command, "--name", options->name, "Name of the patient (default: the folder's)");
-  constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-  add_whole_number(*command, "--seed", options->seed, 0, any, "Variation of sizes, and the noise");
-  using Parameters = patient::ShoulderParameters;
-  struct Declared {
-    double Parameters::*member;
-    const char* name;
-    double low, high;
-    const char* help;
-  };
-  constexpr std::array<Declared, 5> declared = {{
-      {&Parameters::age, "--age", 18.0, 95.0, "Years, 18 to 95"},
-      {&Parameters::height, "--height", 1.40, 2.05, "m, 1.40 to 2.05"},
-      {&Parameters::weight, "--weight", 40.0, 160.0, "kg, 40 to 160"},
-      {&Parameters::fluid, "--fluid", 2.5, 8.0,
-       "mm of fluid between the head of the humerus and the capsule, 2.5 to 8"},
-      {&Parameters::spacing, "--spacing", 0.6, 2.0, "mm, of the voxels, 0.6 to 2"},
-  }};
-  options->choices.reserve(declared.size());  // the options point at the values
-  for (const Declared& each : declared) {
-    options->choices.push_back({each.member, Parameters{}.*each.member, {}});
-    CaseSynthesizeShoulderOptions::Choice& choice = options->choices.back();
-    choice.option = add_number(*command, each.name, choice.value, each.low, each.high, each.help);
-  }
-  options->side_option = add_text(*command, "--side", options->side, "left or right");
-  add_text(*command, "--needle", options->needle,
-           "GAUGE,LENGTH,TIP, such as 21,90,quincke (default: 22 gauge, 50 mm where that reaches, or else 90 mm)");
-  add_text(*command, "--mechanics", options->mechanics,
-           "Where the force models have the numbers of the tissues from: tables or physical (default: physical)");
-  add_text(*command, "--target", options->target,
-           "joint or suprascapular_nerve: where the planned needle goes (default: joint)");
-  add_text(*command, "--procedure", options->procedure,
-           "What is practised: a procedure that comes with Bodkin (default: joint_injection, or "
-           "ultrasound_guided_nerve_block at the nerve)");
-  add_switch(*command, "--vary", options->vary,
-             "What is not given (age, height, weight, fluid, side, gauge) is drawn from the seed");
-  add_switch(*command, "--overwrite", options->overwrite, "Replace a case that is already there");
-  on_run(*command, [options, &context] { run_case_synthesize_shoulder(*options, context); });
+  add_command(
+      group, "shoulder", "A shoulder, for an injection into its joint or a nerve block",
+      case_synthesize_shoulder_footer, [&context](CLI::App& command) {
+        auto options = std::make_shared<CaseSynthesizeShoulderOptions>();
+        add_text(command, "DIR", options->folder, "Folder of the case; it must not exist yet").required();
+        add_text(command, "--name", options->name, "Name of the patient (default: the folder's)");
+        constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+        add_whole_number(command, "--seed", options->seed, 0, any, "Variation of sizes, and the noise");
+        using Parameters = patient::ShoulderParameters;
+        struct Declared {
+          double Parameters::*member;
+          const char* name;
+          double low, high;
+          const char* help;
+        };
+        constexpr std::array<Declared, 5> declared = {{
+            {&Parameters::age, "--age", 18.0, 95.0, "Years, 18 to 95"},
+            {&Parameters::height, "--height", 1.40, 2.05, "m, 1.40 to 2.05"},
+            {&Parameters::weight, "--weight", 40.0, 160.0, "kg, 40 to 160"},
+            {&Parameters::fluid, "--fluid", 2.5, 8.0,
+             "mm of fluid between the head of the humerus and the capsule, 2.5 to 8"},
+            {&Parameters::spacing, "--spacing", 0.6, 2.0, "mm, of the voxels, 0.6 to 2"},
+        }};
+        options->choices.reserve(declared.size());  // the options point at the values
+        for (const Declared& each : declared) {
+          options->choices.push_back({each.member, Parameters{}.*each.member, {}});
+          CaseSynthesizeShoulderOptions::Choice& choice = options->choices.back();
+          choice.option = add_number(command, each.name, choice.value, each.low, each.high, each.help);
+        }
+        options->side_option = add_text(command, "--side", options->side, "left or right");
+        add_text(
+            command, "--needle", options->needle,
+            "GAUGE,LENGTH,TIP, such as 21,90,quincke (default: 22 gauge, 50 mm where that reaches, or else 90 mm)");
+        add_text(command, "--mechanics", options->mechanics,
+                 "Source of the force models' tissue values: tables or physical (default: physical)");
+        add_text(command, "--target", options->target,
+                 "joint or suprascapular_nerve: where the planned needle goes (default: joint)");
+        add_text(command, "--procedure", options->procedure,
+                 "Procedure to practise, one that comes with Bodkin (default: joint_injection, or "
+                 "ultrasound_guided_nerve_block at the nerve)");
+        add_switch(
+            command, "--vary", options->vary,
+            "Values that are not given (age, height, weight, fluid, side, gauge) are drawn at random from the seed");
+        add_switch(command, "--overwrite", options->overwrite, "Replace a case that is already there");
+        on_run(command, [options, &context] { run_case_synthesize_shoulder(*options, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -26,17 +26,18 @@ struct CaseWarpOptions {
 };
 
 constexpr const char* case_warp_footer =
-    R"(Lays a patient into a mannequin, so that the patient's skin is the mannequin's: first moved, then bent. Bone bends with it.
+    R"(Fits a patient into a mannequin, so that the patient's skin coincides with the mannequin's: the patient is first moved,
+then warped, bone included.
 
 Examples:
   bodkin register mannequin.csv patient.csv -o placed.json
   bodkin case warp patient mannequin warped --registration placed.json
   bodkin case warp patient mannequin warped --placed moved.json
-  bodkin overlay patient footage --registration moved.json       the patient as he is, skin on skin as well as may be
+  bodkin overlay patient footage --registration moved.json       the patient moved but not warped
   bodkin case warp patient mannequin warped --reach 200          more of the skin than 120 mm about the entry
 
-MANNEQUIN is a case, made of a CT of it (bodkin case new). Without --registration the planned entries of both are laid upon
-each other, and where one has none the middles of both skins. docs/augmented-reality.md explains it.)";
+MANNEQUIN is a case made from a CT of the mannequin (bodkin case new). Without --registration the planned entries of both
+cases are superimposed, or the middles of both skins if a case has no planned entry. See docs/augmented-reality.md.)";
 
 Vec3 middle_of(const patient::Skin& skin) {
   Vec3 sum = Vec3::Zero();
@@ -47,7 +48,7 @@ Vec3 middle_of(const patient::Skin& skin) {
 Pose start_of(const CaseWarpOptions& options, const anatomy::Case& of_patient, const patient::Skin& skin,
               const anatomy::CaseDescription& mannequin, const patient::Skin& body) {
   if (!options.registration.empty()) {
-    return io::read_rigid_placement(options.registration, "register without --scale, the bend does the rest");
+    return io::read_rigid_placement(options.registration, "register without --scale; the warping adapts the size");
   }
   Pose start = Pose::Identity();
   const auto& own = of_patient.description.procedure.path;
@@ -99,22 +100,25 @@ void run_case_warp(const CaseWarpOptions& options, const CommandContext& context
 }  // namespace
 
 void add_case_warp_command(CLI::App& case_group, CommandContext& context) {
-  auto options = std::make_shared<CaseWarpOptions>();
-  CLI::App* command =
-      add_command(case_group, "warp", "Lay a patient into a mannequin, skin upon skin", case_warp_footer);
-  add_text(*command, "PATIENT", options->patient, "Folder of the patient's case").required();
-  add_text(*command, "MANNEQUIN", options->mannequin, "Folder of the mannequin's case").required();
-  add_text(*command, "DIR", options->folder, "Folder of the new case; it must not exist yet").required();
-  add_text(*command, "--registration", options->registration,
-           "Where the patient lies in the mannequin, as 'bodkin register MANNEQUIN PATIENT' found it");
-  add_text(*command, "--placed", options->placed,
-           "File for where the patient lies when moved and not bent, a registration for 'bodkin overlay'");
-  add_number(*command, "--reach", options->fit.reach, 30.0, 500.0, "mm of skin about the planned entry, 30 to 500");
-  add_number(*command, "--spacing", options->fit.spacing, 5.0, 60.0,
-             "mm between the points that are brought together, 5 to 60");
-  add_text(*command, "--name", options->name, "Name of the new case (default: the patient's)");
-  add_switch(*command, "--overwrite", options->overwrite, "Replace a case that is already there");
-  on_run(*command, [options, &context] { run_case_warp(*options, context); });
+  add_command(case_group, "warp", "Warp a patient so that its skin fits that of a mannequin", case_warp_footer,
+              [&context](CLI::App& command) {
+                auto options = std::make_shared<CaseWarpOptions>();
+                add_text(command, "PATIENT", options->patient, "Folder of the patient's case").required();
+                add_text(command, "MANNEQUIN", options->mannequin, "Folder of the mannequin's case").required();
+                add_text(command, "DIR", options->folder, "Folder of the new case; it must not exist yet").required();
+                add_text(command, "--registration", options->registration,
+                         "Where the patient lies in the mannequin, as 'bodkin register MANNEQUIN PATIENT' found it");
+                add_text(
+                    command, "--placed", options->placed,
+                    "File for the placement of the patient without warping, a registration for 'bodkin overlay'");
+                add_number(command, "--reach", options->fit.reach, 30.0, 500.0,
+                           "mm of skin about the planned entry, 30 to 500");
+                add_number(command, "--spacing", options->fit.spacing, 5.0, 60.0,
+                           "mm between the points that are brought together, 5 to 60");
+                add_text(command, "--name", options->name, "Name of the new case (default: the patient's)");
+                add_switch(command, "--overwrite", options->overwrite, "Replace a case that is already there");
+                on_run(command, [options, &context] { run_case_warp(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -52,21 +52,21 @@ constexpr const char* cohort_footer = R"(Examples:
   mpirun -n 8 bodkin cohort plan.xml --trainees 100000  shared among processes, on one machine or many
 
 The same plan, seed and patients give the same table for any number of threads and
-processes. A call that was interrupted is continued by the same call. docs/cohorts.md explains plans, trainees and the table.)";
+processes. The same command continues an interrupted run. docs/cohorts.md explains plans, trainees and the table.)";
 
-// "2/4" as the second of four parts. Throws InputError naming `where` it was found.
+// "2/4" as the second of four parts. Throws InputError naming its origin `where`.
 training::CohortPart part_of(const std::string& text, const std::string& where) {
   std::uint64_t number = 0, count = 0;
   char slash = '\0';
   std::istringstream stream(text);
   if (!(stream >> number >> slash >> count) || slash != '/' || !stream.eof() || number < 1 || number > count) {
-    throw InputError(
-        fmt::format("{} is '{}'; expected the number of this process and of all, such as 2/4", where, text));
+    throw InputError(fmt::format(
+        "{} is '{}'; expected the number of this process and the number of processes, such as 2/4", where, text));
   }
   return {number - 1, count};
 }
 
-// What --part says, or the process that started this one: mpirun of Open MPI, or of a launcher that speaks PMI.
+// From --part, or from the launcher of this process: mpirun of Open MPI, or a launcher with PMI.
 training::CohortPart part_of_this_process(const std::string& option) {
   if (!option.empty()) return part_of(option, "--part");
   struct Launcher {
@@ -111,7 +111,7 @@ training::CohortSettings cohort_settings(const CohortArguments& arguments, Patie
     training::CohortStage stage{.plan = each, .procedure = {}, .patient = nullptr, .path = {}};
     if (each.patient == training::built_in_patient) {
       throw InputError(fmt::format(
-          "{}: stage '{}': the built-in patient is in the window alone; make a case with 'bodkin case synthesize'",
+          "{}: stage '{}': the built-in patient exists only in the window; make a case with 'bodkin case synthesize'",
           arguments.plan, each.title));
     }
     const auto [place, is_new] = patients.try_emplace(each.patient);
@@ -166,7 +166,7 @@ void run_cohort_command(const CohortArguments& arguments, const CommandContext& 
                              settings.part.count, arguments.output));
     return;
   }
-  if (result.continued > 0) console.note(fmt::format("{} trainees had been done before", result.continued));
+  if (result.continued > 0) console.note(fmt::format("{} trainees were already done", result.continued));
   print_cohort(console, result, arguments);
   console.json(nlohmann::ordered_json{{"attempts", result.attempts},
                                       {"trainees", arguments.trainees},
@@ -181,21 +181,27 @@ void run_cohort_command(const CohortArguments& arguments, const CommandContext& 
 }  // namespace
 
 void add_cohort_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<CohortArguments>();
-  CLI::App* command = add_command(app, "cohort", "Simulated trainees go through a plan, on all cores", cohort_footer);
-  add_text(*command, "PLAN", arguments->plan, "File of the plan").required();
-  add_whole_number(*command, "--trainees", arguments->trainees, 1, most_trainees, "How many, 1 to 1000000");
-  add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
-                   "What chance is made from");
-  add_text(*command, "--operator", arguments->performer,
-           "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture or an "
-           "operator file: performs in "
-           "place of trainees who learn");
-  add_text(*command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
-  add_whole_number(*command, "--threads", arguments->threads, 0, most_threads, "0: as many as the machine has cores");
-  add_text(*command, "--part", arguments->part,
-           "2/4: this process is the second of four (default: as mpirun says; the output's folder is common to all)");
-  on_run(*command, [arguments, &context] { run_cohort_command(*arguments, context); });
+  add_command(
+      app, "cohort", "Run simulated trainees through a plan, on all cores", cohort_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<CohortArguments>();
+        add_text(command, "PLAN", arguments->plan, "File of the plan").required();
+        add_whole_number(command, "--trainees", arguments->trainees, 1, most_trainees, "How many, 1 to 1000000");
+        add_whole_number(command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
+                         "Seed of the random numbers");
+        add_text(
+            command, "--operator", arguments->performer,
+            "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture or an "
+            "operator file: performs in "
+            "place of trainees who learn");
+        add_text(command, "-o,--output", arguments->output, "The table (default: cohort.csv); it is replaced");
+        add_whole_number(command, "--threads", arguments->threads, 0, most_threads,
+                         "0: as many as the machine has cores");
+        add_text(command, "--part", arguments->part,
+                 "2/4: this process is the second of four (default: as mpirun says; the output's folder is common to "
+                 "all)");
+        on_run(command, [arguments, &context] { run_cohort_command(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

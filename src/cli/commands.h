@@ -8,11 +8,11 @@ class App;
 
 namespace bodkin::cli {
 
-// Options that every subcommand honours.
+// Options of all subcommands.
 struct CommandContext {
-  bool quiet = false;  // no progress, no notes; errors are still said
+  bool quiet = false;  // no progress, no notes; errors are still printed
   bool json = false;   // the result as one JSON object on standard output
-  int exit_code = 0;   // what main returns after a command has run
+  int exit_code = 0;   // return value of main after a command
 };
 
 // Each adds one subcommand to `app`, defined in the file of its name. The command runs in CLI11's callback; it throws

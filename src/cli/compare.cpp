@@ -50,12 +50,12 @@ constexpr const char* compare_footer = R"(Examples:
   bodkin compare patient --entry 0,95,3 --target 2,45,10 --speed 5 --pause 1 -o out/models
   bodkin compare patient --models "tracking_wall,tracking_wall catch_up_s=0.1,tracking_wall catch_up_s=2"
   bodkin compare patient --models volume_proxy --constraint rail --no-reinsert
-  bodkin compare patient --needle 16G,90,tuohy                   as another needle than the case's feels it
-  bodkin compare patient --mechanics tables                      with each model's own numbers of the tissues
+  bodkin compare patient --needle 16G,90,tuohy                   with another needle than the case's
+  bodkin compare patient --mechanics tables                      with each model's own tissue values
   bodkin compare patient --motion "25 at 10, hold 2, 10 at 20, 45 at 5, hold 1, out"
 
 The models are compared on one description of each tissue, for the case's needle, whatever mechanics the case says.
-The same motion is played for each: in at constant speed, a stop, out, and in again, or the steps of --motion: depths
+Each model makes the same motion: in at constant speed, a stop, out, and in again, or the steps of --motion: depths
 below the skin in mm, 'target' or 'out', each with 'at' a speed in mm/s, and 'hold' with a time in s. Writes BASE.csv (a row per tick, a
 column per model) and BASE.svg (force over depth and over time).
 A path that starts with a minus sign needs an equals sign: --entry=-5,95,3)";
@@ -74,11 +74,11 @@ nlohmann::json json_of(const study::ModelRun& run, const study::Comparison& comp
             {"time_s", static_cast<double>(run.peak_tick) * comparison.dt},
             {"tissue", library.title(run.peak_tissue)}};
   }
-  nlohmann::json told = nlohmann::json::array();
-  for (const study::ToldEvent& each : run.told)
-    told.push_back({{"depth_mm", each.event.depth}, {"text", report::event_text(each.event, library)}});
+  nlohmann::json events = nlohmann::json::array();
+  for (const study::ReportedEvent& each : run.events)
+    events.push_back({{"depth_mm", each.event.depth}, {"text", report::event_text(each.event, library)}});
   return {{"model", run.name},
-          {"told", told},
+          {"told", events},
           {"peak", peak},
           {"peak_of_reinsertion_N", run.peak_again},
           {"lowest_N", run.lowest},
@@ -99,13 +99,13 @@ std::string words_of(const anatomy::Needle& needle) {
 
 std::string words_of(anatomy::Mechanics mechanics, const anatomy::Needle& needle) {
   if (mechanics == anatomy::Mechanics::tables)
-    return "Mechanics: tables, each model its own numbers of the tissues, whatever the needle.";
+    return "Mechanics: tables, each model with its own tissue values, whatever the needle.";
   return fmt::format("Mechanics: physical, one description of each tissue for all models, for the needle {}.",
                      words_of(needle));
 }
 
-// Titles of the tissues on the way, in order, that give way but are not described: there each model keeps its own
-// numbers.
+// Titles, in order, of the punctured tissues on the way without a physical description: there each model keeps its
+// own numbers.
 std::vector<std::string> undescribed(const study::Comparison& comparison, const anatomy::TissueLibrary& library) {
   std::vector<std::string> titles;
   for (const anatomy::TissueId id : comparison.tissue) {
@@ -175,15 +175,15 @@ void print_tables(const Console& console, const study::Comparison& comparison,
                      fmt::format("{}, {}", run.punctures[0], run.punctures[3]),
                      fmt::format("{:.0f}", run.nanoseconds)));
   }
-  console.line("\nWhat gives way on the insertion, in order, with the depth of the tip in mm");
+  console.line("\nPunctures during the insertion, in order, with the depth of the tip in mm");
   for (const study::ModelRun& run : comparison.models) {
-    std::string told;
-    for (const auto& [tick, event] : run.told) {
+    std::string names;
+    for (const auto& [tick, event] : run.events) {
       const bool is_loss = event.kind == forces::EventKind::loss_of_resistance;
-      told += fmt::format("{}{} {:.1f}", told.empty() ? "" : ", ",
-                          is_loss ? "loss of resistance" : library.title(event.tissue), event.depth);
+      names += fmt::format("{}{} {:.1f}", names.empty() ? "" : ", ",
+                           is_loss ? "loss of resistance" : library.title(event.tissue), event.depth);
     }
-    console.line(fmt::format("{:<{}} {}", run.name, name_width, told.empty() ? "nothing" : told));
+    console.line(fmt::format("{:<{}} {}", run.name, name_width, names.empty() ? "nothing" : names));
   }
   console.line(fmt::format("\nDifferences are from {}. * processor time on this machine.",
                            comparison.models[comparison.reference].name));
@@ -208,7 +208,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
                               : arguments.pause_given.given()        ? "--pause"
                               : arguments.no_reinsert                ? "--no-reinsert"
                                                                      : nullptr;
-    if (other != nullptr) throw InputError(fmt::format("--motion says all steps; leave out {}", other));
+    if (other != nullptr) throw InputError(fmt::format("--motion already states every step; leave out {}", other));
   }
   const bool all = std::find(arguments.models.begin(), arguments.models.end(), "all") != arguments.models.end();
 
@@ -243,7 +243,7 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
                                arguments.motion.empty() ? fmt::format("{:g} mm/s", options.speed) : arguments.motion,
                                comparison.constraint);
   const std::string picture =
-      report::draw_plots(plots).svg();  // before any file is written: what fails leaves nothing behind
+      report::draw_plots(plots).svg();  // before any file is written: a failure leaves no files
 
   write_file(base + ".csv", study::comparison_csv(comparison));
   write_file(base + ".svg", picture);
@@ -260,42 +260,47 @@ void run_compare(const CompareArguments& arguments, const CommandContext& contex
 }  // namespace
 
 void add_compare_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<CompareArguments>();
-  study::CompareOptions& options = arguments->options;
-  CLI::App* command =
-      add_command(app, "compare", "One motion through every force model: figures, table and plot", compare_footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
-  add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
-  add_texts(*command, "--models", arguments->models,
-            fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
-                        fmt::join(study::compared_names(), ", ")))
-      .separated_by_commas("NAME,NAME,...");
-  add_text(*command, "--needle", arguments->needle,
-           "Another needle than the case's: GAUGE,LENGTH,TIP, such as 16G,90,tuohy");
-  add_text(*command, "--mechanics", arguments->mechanics,
-           "Where the models have the numbers of the tissues from: physical (one description of each tissue, for the "
-           "needle) or tables (each model its own) (default: physical)");
-  add_text(*command, "--constraint", arguments->constraint,
-           "Another force that keeps the needle on its path than the case's: \"NAME SETTING=VALUE ...\"");
-  add_texts(*command, "--part", arguments->parts,
-            "Another addition to every resistance, may be repeated; \"none\" leaves out the case's");
-  add_number(*command, "--speed", options.speed, 0.5, 500.0, "mm/s inwards, 0.5 to 500");
-  arguments->withdraw_speed_given = add_number(*command, "--withdraw-speed", arguments->withdraw_speed, 0.5, 500.0,
-                                               "mm/s outwards, 0.5 to 500 (default: as --speed)");
-  arguments->withdraw_speed_given.without_default();
-  arguments->pause_given =
-      add_number(*command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
-  add_switch(*command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
-  add_text(
-      *command, "--motion", arguments->motion,
-      "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
-      "'at' mm/s (default: --speed), and 'hold' s");
-  add_text(*command, "--depth", arguments->depth,
-           "What the plot over depth counts: hand, how deep the tip has been brought, or material, how deep what it "
-           "touches lies at rest in each model (default: hand)");
-  add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
-  on_run(*command, [arguments, &context] { run_compare(*arguments, context); });
+  add_command(
+      app, "compare", "One motion through every force model: figures, table and plot", compare_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<CompareArguments>();
+        study::CompareOptions& options = arguments->options;
+        add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+        add_text(command, "--entry", arguments->entry,
+                 "Where the path begins, x,y,z in LPS mm (default: as planned)");
+        add_text(command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
+        add_texts(command, "--models", arguments->models,
+                  fmt::format("All of them, or some of {}; or NAME SETTING=VALUE ... (default: all)",
+                              fmt::join(study::compared_names(), ", ")))
+            .separated_by_commas("NAME,NAME,...");
+        add_text(command, "--needle", arguments->needle,
+                 "Needle to use instead of the case's: GAUGE,LENGTH,TIP, such as 16G,90,tuohy");
+        add_text(command, "--mechanics", arguments->mechanics,
+                 "Source of the models' tissue values: physical (one description of each tissue, for the needle) or "
+                 "tables "
+                 "(each model has its own) (default: physical)");
+        add_text(command, "--constraint", arguments->constraint,
+                 "Constraint that keeps the needle on its path, instead of the case's: \"NAME SETTING=VALUE ...\"");
+        add_texts(command, "--part", arguments->parts,
+                  "Part to add to every resistance, may be repeated; \"none\" leaves out the case's parts");
+        add_number(command, "--speed", options.speed, 0.5, 500.0, "mm/s inwards, 0.5 to 500");
+        arguments->withdraw_speed_given = add_number(command, "--withdraw-speed", arguments->withdraw_speed, 0.5,
+                                                     500.0, "mm/s outwards, 0.5 to 500 (default: as --speed)");
+        arguments->withdraw_speed_given.without_default();
+        arguments->pause_given =
+            add_number(command, "--pause", options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+        add_switch(command, "--no-reinsert", arguments->no_reinsert, "End with the withdrawal");
+        add_text(command, "--motion", arguments->motion,
+                 "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or "
+                 "out, each "
+                 "'at' mm/s (default: --speed), and 'hold' s");
+        add_text(
+            command, "--depth", arguments->depth,
+            "Depth axis of the plot: hand (depth of the tip) or material (depth at rest of the tissue at the tip, in "
+            "each model) (default: hand)");
+        add_text(command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: compare)");
+        on_run(command, [arguments, &context] { run_compare(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

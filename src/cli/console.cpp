@@ -16,7 +16,7 @@ namespace {
 
 constexpr int bar_width = 28;
 constexpr auto draw_interval = std::chrono::milliseconds(60);
-constexpr auto bar_patience = std::chrono::milliseconds(400);  // quicker stages are not worth a bar
+constexpr auto bar_patience = std::chrono::milliseconds(400);  // shorter stages are not worth a bar
 
 }  // namespace
 

@@ -9,8 +9,8 @@
 
 namespace bodkin::cli {
 
-// What a command says to the person at the terminal. Results go to standard output, everything else to standard
-// error, so that `bodkin ... > file` and `--json` stay clean.
+// Messages of a command to the user at the terminal. Results go to standard output, everything else to standard
+// error, so that `bodkin ... > file` and `--json` contain only results.
 class Console {
  public:
   explicit Console(const CommandContext& context);
@@ -21,13 +21,13 @@ class Console {
   // A progress bar: drawn in place on a terminal, one line per stage elsewhere, nothing with --quiet. A stage that
   // ends within a second is never drawn on a terminal.
   Progress progress();
-  // A remark worth knowing (what was repaired, what was assumed). Nothing with --quiet.
+  // A remark (repairs, assumptions). Nothing with --quiet.
   void note(std::string_view sentence);
-  // One line of the result; nothing with --json, which has its own.
+  // One line of the result; nothing with --json.
   void line(std::string_view text) const;
   // The result as JSON text; nothing without --json.
   void json(std::string_view text) const;
-  // Removes a bar that is still drawn.
+  // Removes a visible bar.
   void clear_bar();
 
  private:
@@ -42,7 +42,7 @@ class Console {
   std::chrono::steady_clock::time_point last_draw_{};
 };
 
-// Why a command has failed: to standard error, and with `as_json` as an object on standard output too.
+// Prints why a command has failed: to standard error, and with `as_json` as an object to standard output too.
 void write_error(std::string_view sentence, int exit_code, bool as_json);
 
 }  // namespace bodkin::cli

@@ -34,9 +34,9 @@ void deliver_waiting(const std::string& store, Console& console) {
   try {
     training::Outbox outbox(training::store_place(store), training::outbox_folder(), patience);
     if (outbox.waiting() == 0) return;
-    console.note(fmt::format("{} results that had waited on this station are in the store", outbox.deliver()));
+    console.note(fmt::format("{} results that waited on this station are now in the store", outbox.deliver()));
   } catch (const std::runtime_error& error) {
-    console.note(fmt::format("results go on waiting on this station: {}", error.what()));
+    console.note(fmt::format("results still wait on this station: {}", error.what()));
   }
 }
 

@@ -20,7 +20,7 @@ void add_driver_settings(CLI::App& command, DeviceOptions& options) {
 
 namespace {
 
-// The library in the folder of drivers whose driver has that name.
+// The library in the driver folder whose driver has that name.
 std::string file_of_driver(const std::string& name) {
   std::vector<std::string> names, files;
   for (const bodkin_driver* driver : all_drivers()) names.emplace_back(driver->name);
@@ -34,7 +34,7 @@ std::string file_of_driver(const std::string& name) {
     throw InputError(fmt::format("there is no driver '{}'; expected {}, or the path of a driver with a '/' in it",
                                  name, fmt::join(names, ", ")));
   }
-  throw InputError(fmt::format("{} drivers are called '{}'; say which by its path: {}", files.size(), name,
+  throw InputError(fmt::format("{} drivers are called '{}'; name one by its path: {}", files.size(), name,
                                fmt::join(files, ", ")));
 }
 
@@ -47,7 +47,8 @@ bool is_mouse(const DeviceOptions& options) {
 std::string driver_of(const DeviceOptions& options) {
   const std::string name = options.device.substr(0, options.device.find(':'));
   if (is_mouse(options)) {
-    throw InputError("the mouse holds a needle in the window only; say 'bodkin perform CASE mouse', or 'bodkin app'");
+    throw InputError(
+        "the mouse can hold a needle only in the window; use 'bodkin perform CASE mouse' or 'bodkin app'");
   }
   return name.find('/') != std::string::npos || find_own_driver(name) != nullptr ? name : file_of_driver(name);
 }

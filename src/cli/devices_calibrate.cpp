@@ -43,16 +43,16 @@ struct DevicesCalibrateArguments {
 
 constexpr const char* devices_calibrate_footer = R"(Examples:
   bodkin devices calibrate force_dimension                       every step that the device allows
-  bodkin devices calibrate openhaptics --steps workspace,tip     these only; what was measured before stays
-  bodkin devices calibrate haption --show                        what is kept of it
+  bodkin devices calibrate openhaptics --steps workspace,tip     only these; earlier results stay
+  bodkin devices calibrate haption --show                        the saved calibration
   bodkin devices calibrate haption --forget
 
-Steps: workspace (the box that the hand reaches: its middle becomes the middle of the workspace), mounting (which direction
-is away from you), tip (where the needle's tip is), axis (which way the needle points), weight (of the handle; the
-motors lift it by 25 mm, let go of it then), delay (of a force; the motors tick the handle up and down by 1 N, hold it
-loosely then). Each begins with the Enter key, and without a terminal after a countdown.
-Where the system may hold up the motors' force it is kept below 1.5 N, and a note says so before.
-The result is kept in ~/.config/bodkin/calibrations.xml for this very device, and 'bodkin perform' uses it.)";
+Steps: workspace (the box that the hand can reach; its middle becomes the middle of the workspace), mounting (which
+direction is away from you), tip (where the needle's tip is), axis (in which direction the needle points), weight (of
+the handle: let go of it while the motors lift it by 25 mm), delay (of a force: hold the handle loosely while the motors
+push it up and down with 1 N). Each step begins with the Enter key, or after a countdown if there is no terminal.
+If the system may delay the motors' force, the force is kept below 1.5 N, and a note says so beforehand.
+The result is saved in ~/.config/bodkin/calibrations.xml for this one device, and 'bodkin perform' uses it.)";
 
 Json list_of(const Vec3& vector) {
   return {vector.x(), vector.y(), vector.z()};
@@ -83,7 +83,7 @@ Json json_of(const haptics::DeviceCalibration& calibration, const std::filesyste
   return json;
 }
 
-// One line for each thing that is known.
+// One line for each known property.
 void print(const Console& console, const haptics::DeviceCalibration& calibration) {
   console.line(fmt::format("{}{}, calibrated {}", calibration.model,
                            calibration.serial.empty() ? "" : ", serial number " + calibration.serial,
@@ -122,7 +122,7 @@ std::vector<CalibrationStep> chosen_steps(const DevicesCalibrateArguments& argum
     const CalibrationStep step = station::calibration_step(name);
     if (std::find(possible.begin(), possible.end(), step) == possible.end()) {
       throw InputError(fmt::format(
-          "--steps: '{}' needs a device that {}, which {} is not; leave it out", name,
+          "--steps: '{}' needs a device that {}, which {} does not; leave it out", name,
           step == CalibrationStep::weight || step == CalibrationStep::delay ? "renders force" : "measures rotation",
           device.name));
     }
@@ -158,7 +158,7 @@ haptics::DeviceCalibration measure(haptics::DevicePort port, const station::Devi
   TerminalKeys keys;
   station::CalibrationSteps guide(servo, *controller, arguments.settings, calibration_person(console, keys));
   for (const CalibrationStep step : steps) guide.perform(step, measured);
-  if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
+  if (!servo.stop()) console.note("the device could not be stopped; switch it off and on again");
   return measured;
 }
 
@@ -176,7 +176,8 @@ std::filesystem::path file_of(const DevicesCalibrateArguments& arguments) {
   if (!arguments.file.empty()) return arguments.file;
   if (const auto file = io::calibrations_file()) return *file;
   throw InputError(
-      "there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is an absolute path; give a --file");
+      "there is no folder for calibrations, because neither XDG_CONFIG_HOME nor HOME is an absolute path; give a "
+      "--file");
 }
 
 void run_devices_calibrate(const DevicesCalibrateArguments& arguments, CommandContext& context) {
@@ -200,9 +201,9 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, CommandCo
   haptics::DeviceCalibration measured;
   try {
     measured = measure(std::move(port), chosen, abilities, arguments, console);
-  } catch (const station::CalibrationGivenUp&) {
+  } catch (const station::CalibrationCancelled&) {
     console.clear_bar();
-    console.note("the calibration was ended from outside; nothing of it is kept");
+    console.note("the calibration was interrupted; nothing was saved");
     context.exit_code = 128 + EndOnSignal::signal();
     return;
   }
@@ -220,27 +221,29 @@ void run_devices_calibrate(const DevicesCalibrateArguments& arguments, CommandCo
 }  // namespace
 
 void add_devices_calibrate_command(CLI::App& devices_group, CommandContext& context) {
-  auto arguments = std::make_shared<DevicesCalibrateArguments>();
-  CLI::App* command =
-      add_command(devices_group, "calibrate",
-                  "Measure where a device stands, where its tip is, what its handle weighs and how late its force is",
-                  devices_calibrate_footer);
-  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
-      .required();
-  add_driver_settings(*command, arguments->device);
-  add_texts(*command, "--steps", arguments->steps,
-            "workspace, mounting, tip, axis, weight, delay (default: all possible)")
-      .separated_by_commas("STEPS");
-  add_number(*command, "--seconds", arguments->settings.seconds, 1.0, 600.0,
-             "s that the motions of a step last at most; Enter ends it earlier; 1 to 600");
-  add_number(*command, "--countdown", arguments->settings.countdown, 0.0, 600.0,
-             "s before each step where there is no terminal, 0 to 600");
-  add_text(*command, "--file", arguments->file, "Keep it in this file").without_default();
-  add_switch(*command, "--allow-late", arguments->allow_late,
-             "Weigh with up to 4 N although the system may hold up the servo (no real-time priority)");
-  add_switch(*command, "--show", arguments->show, "Measure nothing, print what is kept");
-  add_switch(*command, "--forget", arguments->forget, "Measure nothing, remove what is kept");
-  on_run(*command, [arguments, &context] { run_devices_calibrate(*arguments, context); });
+  add_command(devices_group, "calibrate",
+              "Calibrate a device: workspace, mounting, tip, axis, weight of the handle, delay of the force",
+              devices_calibrate_footer, [&context](CLI::App& command) {
+                auto arguments = std::make_shared<DevicesCalibrateArguments>();
+                add_text(command, "DEVICE", arguments->device.device,
+                         "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+                    .required();
+                add_driver_settings(command, arguments->device);
+                add_texts(command, "--steps", arguments->steps,
+                          "workspace, mounting, tip, axis, weight, delay (default: all possible)")
+                    .separated_by_commas("STEPS");
+                add_number(command, "--seconds", arguments->settings.seconds, 1.0, 600.0,
+                           "Longest time for the motions of a step, s, 1 to 600; Enter ends it earlier");
+                add_number(command, "--countdown", arguments->settings.countdown, 0.0, 600.0,
+                           "Time before each step if there is no terminal, s, 0 to 600");
+                add_text(command, "--file", arguments->file, "File to save the calibration in").without_default();
+                add_switch(
+                    command, "--allow-late", arguments->allow_late,
+                    "Weigh with up to 4 N without real-time priority, although the system may then delay the servo");
+                add_switch(command, "--show", arguments->show, "Measure nothing; print the saved calibration");
+                add_switch(command, "--forget", arguments->forget, "Measure nothing; remove the saved calibration");
+                on_run(command, [arguments, &context] { run_devices_calibrate(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

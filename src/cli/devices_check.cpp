@@ -36,13 +36,13 @@ constexpr const char* devices_check_footer = R"(Examples:
   bodkin devices check openhaptics:Left --seconds 30
   bodkin devices check ./my_driver.so               a driver of your own
 
-  bodkin devices check haption --protocol haption.json      ten minutes with a device that nobody here has
+  bodkin devices check haption --protocol haption.json      a full test of a device in ten minutes
 
-No force is asked for. Move the device while it is being checked: to every corner, and press its buttons.
-Exit code 0: it is ready. 3: it is not, and the last line says why.
---protocol says step by step what to do (which way to move, which buttons, when to let go) and writes what it sees to the
-file, which you can send to us; its last steps weigh the handle and tick it with 1 N unless --without-force is given.
-Where the system may hold up the motors' force it is kept below 1.5 N then, and a note says so before.)";
+No force is rendered. During the check, move the device to every corner and press its buttons.
+Exit code 0: the device is ready. 3: it is not, and the last line says why.
+--protocol says step by step what to do (where to move, which buttons to press, when to let go) and writes the
+measurements to the file, which you can send to us. Unless --without-force is given, its last steps weigh the handle and push it with 1 N.
+If the system may delay the motors' force, the force is then kept below 1.5 N, and a note says so beforehand.)";
 
 std::string box_text(const Vec3& low, const Vec3& high) {
   return fmt::format("x {:.0f} to {:.0f}, y {:.0f} to {:.0f}, z {:.0f} to {:.0f} mm", low.x(), high.x(), low.y(),
@@ -59,7 +59,8 @@ double rate_of(const haptics::DeviceAbilities& device) {
 
 std::string source_of_delay(const haptics::DeviceAbilities& device) {
   if (device.measured_delay) return "as 'devices calibrate' has measured it";
-  return device.delay_source.empty() ? "nobody states one; 'devices calibrate' measures it" : device.delay_source;
+  return device.delay_source.empty() ? "the vendor states none; 'devices calibrate' measures it"
+                                     : device.delay_source;
 }
 
 void say_abilities(const Console& console, const haptics::DeviceAbilities& device,
@@ -70,9 +71,10 @@ void say_abilities(const Console& console, const haptics::DeviceAbilities& devic
                                  known(device.continuous_force, "N"),
                                  device.peak_torque > 0.0 ? known(device.peak_torque, "N mm") : "none")
                    : "  force       none: it only measures where the hand is");
-  console.line(fmt::format("  stiffness   {}{}, resolution {}", known(device.stiffness, "N/mm"),
-                           stiffness.is_cut() ? fmt::format(", of which {}", station::what_is_left(stiffness)) : "",
-                           known(device.resolution, "mm")));
+  console.line(
+      fmt::format("  stiffness   {}{}, resolution {}", known(device.stiffness, "N/mm"),
+                  stiffness.is_cut() ? fmt::format(", of which {}", station::remaining_stiffness(stiffness)) : "",
+                  known(device.resolution, "mm")));
   if (device.peak_force > 0.0) {
     console.line(fmt::format("  delay       {:.1f} ms from a tick to the force: {:.2g} ms of the device ({}){}",
                              1e3 * stiffness.delay, 1e3 * device.measured_delay.value_or(device.delay),
@@ -175,22 +177,26 @@ int run_devices_check(const DevicesCheckArguments& arguments, const CommandConte
 }  // namespace
 
 void add_devices_check_command(CLI::App& devices_group, CommandContext& context) {
-  auto arguments = std::make_shared<DevicesCheckArguments>();
-  CLI::App* command = add_command(
-      devices_group, "check", "Open a device, ask it for nothing, and say how well it answers", devices_check_footer);
-  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
-      .required();
-  add_driver_settings(*command, arguments->device);
-  add_number(*command, "--seconds", arguments->seconds, 0.1, 3600.0,
-             "s for which it is checked, with --protocol of each step, 0.1 to 3600");
-  add_text(*command, "--protocol", arguments->protocol,
-           "Ask for one motion after the other and write what is seen to this JSON file")
-      .without_default();
-  add_switch(*command, "--without-force", arguments->without_force,
-             "With --protocol: leave out the steps in which the motors push");
-  add_switch(*command, "--allow-late", arguments->allow_late,
-             "With --protocol: up to 4 N although the system may hold up the servo (no real-time priority)");
-  on_run(*command, [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
+  add_command(devices_group, "check", "Open a device without rendering a force, and report how well it answers",
+              devices_check_footer, [&context](CLI::App& command) {
+                auto arguments = std::make_shared<DevicesCheckArguments>();
+                add_text(command, "DEVICE", arguments->device.device,
+                         "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+                    .required();
+                add_driver_settings(command, arguments->device);
+                add_number(command, "--seconds", arguments->seconds, 0.1, 3600.0,
+                           "Duration of the check, or with --protocol of each step, s, 0.1 to 3600");
+                add_text(command, "--protocol", arguments->protocol,
+                         "Ask for one motion after the other and write the results to this JSON file")
+                    .without_default();
+                add_switch(command, "--without-force", arguments->without_force,
+                           "With --protocol: leave out the steps in which the motors push");
+                add_switch(command, "--allow-late", arguments->allow_late,
+                           "With --protocol: allow up to 4 N without real-time priority, although the system may "
+                           "then delay the servo");
+                on_run(command,
+                       [arguments, &context] { context.exit_code = run_devices_check(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

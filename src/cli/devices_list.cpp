@@ -27,10 +27,11 @@ constexpr const char* devices_list_footer = R"(Examples:
   bodkin devices list --driver force_dimension --settings library=/opt/forcedimension/lib/libdrd.so
   bodkin devices list --driver ./my_driver.so                  a driver of your own
 
-Drivers of your own are also found in the folder that BODKIN_DRIVERS names. Each driver is asked in a process of its own,
-so that one that crashes or hangs is a line in the list. Nothing moves and nothing is energised. docs/devices.md says what each driver needs.)";
+Drivers of your own are also found in the folder that BODKIN_DRIVERS names. Each driver is asked in its own
+process, so that a driver that crashes or hangs only adds a line to the list. Nothing moves and no motor is energised.
+docs/devices.md says what each driver needs.)";
 
-// For each answer the sentence about its name, empty where the name says who is meant.
+// For each answer the sentence about its name, empty if the name is unambiguous.
 std::vector<std::string> clashes(const std::vector<DriverAnswer>& answers) {
   std::vector<std::string> sentences(answers.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -44,18 +45,19 @@ std::vector<std::string> clashes(const std::vector<DriverAnswer>& answers) {
   return sentences;
 }
 
-// Devices that a driver finds under an identity that another one has too.
+// Devices found with an identity that another one has too.
 std::string twins(const DriverAnswer& answer) {
   std::set<std::string> seen;
   for (const haptics::FoundDevice& device : answer.devices) {
     if (seen.insert(device.identity).second) continue;
-    return fmt::format("two devices have the identity '{}': unplug one of them, for only the first can be chosen",
+    return fmt::format("two devices have the identity '{}': unplug one of them, because only the first can be chosen",
                        device.identity);
   }
   return "";
 }
 
-void say(const Console& console, const DriverAnswer& answer, const std::string& call, const std::string& clash) {
+void print_answer(const Console& console, const DriverAnswer& answer, const std::string& call,
+                  const std::string& clash) {
   console.line(fmt::format("{:<16} {}", answer.name.empty() ? answer.driver : answer.name, answer.summary));
   for (const haptics::FoundDevice& device : answer.devices) {
     console.line(fmt::format("    {}:{}   {}", call, device.identity, device.title));
@@ -88,7 +90,7 @@ nlohmann::ordered_json json_of(const DriverAnswer& answer, const std::string& ca
   return json;
 }
 
-// Every driver that comes with Bodkin and every one in the folder, or the one that was asked for.
+// Every driver supplied with Bodkin and every one in the folder, or the requested one.
 std::vector<std::string> drivers_of(const DeviceOptions& options) {
   if (!options.device.empty()) return {driver_of(options)};
   std::vector<std::string> drivers;
@@ -109,7 +111,7 @@ void run_devices_list(const DeviceOptions& options, const CommandContext& contex
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const bool by_path = !clash[i].empty() || !options.device.empty();
     const std::string& call = by_path ? answers[i].driver : answers[i].name;
-    say(console, answers[i], call, clash[i]);
+    print_answer(console, answers[i], call, clash[i]);
     json.push_back(json_of(answers[i], call, clash[i]));
   }
   console.line("\nNext: bodkin devices check DRIVER:DEVICE");
@@ -119,13 +121,15 @@ void run_devices_list(const DeviceOptions& options, const CommandContext& contex
 }  // namespace
 
 void add_devices_list_command(CLI::App& devices_group, CommandContext& context) {
-  auto options = std::make_shared<DeviceOptions>();
-  CLI::App* command =
-      add_command(devices_group, "list", "Every driver, and the devices that it finds", devices_list_footer);
-  add_text(*command, "--driver", options->device,
-           "Ask this driver only (default: all that come with Bodkin, and those in the folder of drivers)");
-  add_driver_settings(*command, *options);
-  on_run(*command, [options, &context] { run_devices_list(*options, context); });
+  add_command(devices_group, "list", "Every driver, and the devices that it finds", devices_list_footer,
+              [&context](CLI::App& command) {
+                auto options = std::make_shared<DeviceOptions>();
+                add_text(
+                    command, "--driver", options->device,
+                    "Ask only this driver (default: all that come with Bodkin, and those in the folder of drivers)");
+                add_driver_settings(command, *options);
+                on_run(command, [options, &context] { run_devices_list(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -96,7 +96,7 @@ Json json_of_system() {
   return json;
 }
 
-// Enter, where there is a terminal; elsewhere a step begins at once and lasts its time.
+// Waits for Enter in a terminal; otherwise a step begins at once and lasts its time.
 class EnterKey {
  public:
   bool is_there() const noexcept { return keys_.are_there(); }
@@ -111,18 +111,18 @@ class EnterKey {
 };
 
 void require_no_signal() {
-  if (EndOnSignal::signal() != 0) throw station::CalibrationGivenUp();
+  if (EndOnSignal::signal() != 0) throw station::CalibrationCancelled();
 }
 
 // The steps in which the motors push, by 1 N and by the handle's weight; what cannot be measured is a sentence.
 Json measure_force(haptics::DeviceServo& servo, haptics::CalibrationController& controller, Console& console,
                    EnterKey& enter, double seconds) {
   station::CalibrationPerson person;
-  person.say = [&](const std::string& sentence) { console.line(sentence); };
+  person.report = [&](const std::string& sentence) { console.line(sentence); };
   person.progress = console.progress();
-  person.waited = [&] { console.clear_bar(); };
-  if (enter.is_there()) person.goes_on = [&enter] { return enter.pressed(); };
-  person.gives_up = [] { return EndOnSignal::signal() != 0; };
+  person.after_measurement = [&] { console.clear_bar(); };
+  if (enter.is_there()) person.confirmed = [&enter] { return enter.pressed(); };
+  person.cancelled = [] { return EndOnSignal::signal() != 0; };
   station::CalibrationSettings settings;
   settings.seconds = std::max(1.0, seconds);
   station::CalibrationSteps steps(servo, controller, settings, std::move(person));
@@ -146,8 +146,8 @@ Json measure_force(haptics::DeviceServo& servo, haptics::CalibrationController& 
   return json;
 }
 
-// Leads through the steps and adds what was seen to `json`. Returns how many were not as they should be. Throws
-// station::CalibrationGivenUp when a signal ends the command.
+// Leads through the steps and adds the results to `json`. Returns the number of failed steps. Throws
+// station::CalibrationCancelled when a signal ends the command.
 int perform_steps(haptics::DeviceServo& servo, haptics::CalibrationController& controller,
                   const haptics::DeviceAbilities& abilities, const ProtocolOptions& options, Console& console,
                   Json& json) {
@@ -155,7 +155,7 @@ int perform_steps(haptics::DeviceServo& servo, haptics::CalibrationController& c
   if (enter.is_there()) console.line("press Enter to begin each step, and to end it early");
   int against = 0;
   for (const station::ProtocolStep& step : station::protocol_steps(abilities)) {
-    // The last step may leave a device that wants to be started again.
+    // The last step may leave a device that must be restarted.
     if (step.name == station::last_protocol_step && abilities.peak_force > 0.0 && !options.without_force) {
       json["force"] = measure_force(servo, controller, console, enter, options.seconds);
     }
@@ -164,8 +164,8 @@ int perform_steps(haptics::DeviceServo& servo, haptics::CalibrationController& c
       require_no_signal();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    const auto goes_on = [&](double) { return !enter.pressed() && EndOnSignal::signal() == 0; };
-    const ProtocolFinding found = station::observe_step(servo, abilities, step, options.seconds, goes_on);
+    const auto continues = [&](double) { return !enter.pressed() && EndOnSignal::signal() == 0; };
+    const ProtocolFinding found = station::observe_step(servo, abilities, step, options.seconds, continues);
     require_no_signal();
     if (!found.against.empty()) {
       ++against;
@@ -208,10 +208,10 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
   int against = 0;
   try {
     against = perform_steps(servo, *controller, abilities, options, console, json);
-  } catch (const station::CalibrationGivenUp&) {
+  } catch (const station::CalibrationCancelled&) {
     servo.stop();
     console.clear_bar();
-    console.note("the protocol was ended from outside; nothing is written");
+    console.note("the protocol was interrupted; nothing was written");
     return 128 + EndOnSignal::signal();
   }
   const haptics::ServoTimings& timings = servo.tick().timings();
@@ -222,7 +222,7 @@ int run_device_protocol(const DeviceOptions& device, const ProtocolOptions& opti
                   {"tick_p99_s", timings.compute.percentile(0.99)}};
   json["answered_the_stop"] = servo.stop();
   write_file(options.file, json.dump(2) + "\n");
-  console.line(fmt::format("{} of {} steps are not as they should be; all of them are in {}", against,
+  console.line(fmt::format("{} of {} steps failed; the results of all of them are in {}", against,
                            json["steps"].size(), options.file.string()));
   console.json(json.dump(2));
   return 0;

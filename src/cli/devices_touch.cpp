@@ -38,10 +38,10 @@ constexpr const char* devices_touch_footer = R"(Examples:
   bodkin register mannequin.csv touched.csv --target 0,60,20 -o placed.json
   bodkin perform patient openhaptics --mannequin placed.json
 
-Three points at least, not on a line, whose places in the patient are known (mannequin.csv: "left,12.5,80,-31"): beads, marks,
-or the hole of a mock table, in which the needle may turn meanwhile. The motors stay off. Each point begins with the
-Enter key, and without a terminal after a countdown. The tip must have been calibrated ('bodkin devices calibrate
-DEVICE --steps tip,axis'). docs/calibrate.md tells the whole way.)";
+Touch at least three points, not on a line, whose places in the patient are known (mannequin.csv:
+"left,12.5,80,-31"): beads, marks, or the hole of a mock table, in which the needle may turn. The motors stay off. Each point begins with the Enter key,
+or after a countdown if there is no terminal. The tip must have been calibrated before ('bodkin devices calibrate DEVICE
+--steps tip,axis'). docs/calibrate.md explains the whole procedure.)";
 
 void check_names(const std::vector<std::string>& names) {
   constexpr std::size_t least = 3, longest = 40;
@@ -52,10 +52,10 @@ void check_names(const std::vector<std::string>& names) {
     const bool is_plain = !name.empty() && name.size() <= longest && name.front() != '#' &&
                           name.find_first_of(",\"\r\n") == std::string::npos;
     if (!is_plain)
-      throw InputError(fmt::format("--points: '{}' is no name, expected up to {} letters without a comma",
+      throw InputError(fmt::format("--points: '{}' is not a name, expected up to {} letters without a comma",
                                    name.substr(0, longest), longest));
     if (std::count(names.begin(), names.end(), name) > 1)
-      throw InputError(fmt::format("--points: '{}' is there twice, expected each name once", name));
+      throw InputError(fmt::format("--points: '{}' is given twice, expected each name once", name));
   }
 }
 
@@ -99,10 +99,10 @@ void run_devices_touch(const DevicesTouchArguments& arguments, CommandContext& c
       touched.push_back(
           {{"name", name}, {"place_mm", {fit.place.x(), fit.place.y(), fit.place.z()}}, {"spread_mm", fit.spread}});
     }
-    if (!servo.stop()) console.note("the device did not let itself be stopped; switch it off and on again");
-  } catch (const station::CalibrationGivenUp&) {
+    if (!servo.stop()) console.note("the device could not be stopped; switch it off and on again");
+  } catch (const station::CalibrationCancelled&) {
     console.clear_bar();
-    console.note("it was ended from outside; nothing is written");
+    console.note("it was interrupted; nothing was written");
     context.exit_code = 128 + EndOnSignal::signal();
     return;
   }
@@ -115,22 +115,25 @@ void run_devices_touch(const DevicesTouchArguments& arguments, CommandContext& c
 }  // namespace
 
 void add_devices_touch_command(CLI::App& devices_group, CommandContext& context) {
-  auto arguments = std::make_shared<DevicesTouchArguments>();
-  CLI::App* command =
-      add_command(devices_group, "touch", "Touch points of a mannequin with the tip, to register the device to it",
-                  devices_touch_footer);
-  add_text(*command, "DEVICE", arguments->device.device, "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
-      .required();
-  add_driver_settings(*command, arguments->device);
-  add_texts(*command, "--points", arguments->points, "Names of the points, in the order in which they are touched")
-      .separated_by_commas("NAMES")
-      .required();
-  add_text(*command, "-o,--output", arguments->output, "File of points: name,x,y,z in mm, as the device stands");
-  add_number(*command, "--countdown", arguments->countdown, 0.0, 600.0,
-             "s before each point where there is no terminal, 0 to 600");
-  add_switch(*command, "--no-calibration", arguments->no_calibration,
-             "Take the point that the device reports for the tip");
-  on_run(*command, [arguments, &context] { run_devices_touch(*arguments, context); });
+  add_command(devices_group, "touch", "Touch points of a mannequin with the tip, to register the device to it",
+              devices_touch_footer, [&context](CLI::App& command) {
+                auto arguments = std::make_shared<DevicesTouchArguments>();
+                add_text(command, "DEVICE", arguments->device.device,
+                         "DRIVER or DRIVER:IDENTITY, as 'devices list' prints it")
+                    .required();
+                add_driver_settings(command, arguments->device);
+                add_texts(command, "--points", arguments->points,
+                          "Names of the points, in the order in which they are touched")
+                    .separated_by_commas("NAMES")
+                    .required();
+                add_text(command, "-o,--output", arguments->output,
+                         "File of points: name,x,y,z in mm, as the device stands");
+                add_number(command, "--countdown", arguments->countdown, 0.0, 600.0,
+                           "Time before each point if there is no terminal, s, 0 to 600");
+                add_switch(command, "--no-calibration", arguments->no_calibration,
+                           "Take the point that the device reports for the tip");
+                on_run(command, [arguments, &context] { run_devices_touch(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -8,9 +8,9 @@
 
 namespace bodkin::cli {
 
-// While this lives, Ctrl-C ends the station's session as a person would. The end of the terminal or of the machine
-// ends it too: force to zero, devices stopped, the recording complete. Without a station it is for the command to ask
-// whether it is to end. One at a time.
+// During the lifetime of this object, Ctrl-C ends the station's session as a user would. Closing the terminal or
+// shutting down the machine ends it too: force to zero, devices stopped, the recording complete. Without a station
+// the command must poll for the signal. One at a time.
 class EndOnSignal {
  public:
   EndOnSignal();
@@ -19,10 +19,10 @@ class EndOnSignal {
   EndOnSignal(const EndOnSignal&) = delete;
   EndOnSignal& operator=(const EndOnSignal&) = delete;
 
-  // 0, or the signal that a shell reports as the end of the command: all but Ctrl-C, with which a person ends a
-  // session.
+  // 0, or the signal that a shell reports as the end of the command: all except Ctrl-C, which is a user's normal way
+  // to end a session.
   static int reason() noexcept;
-  // 0, or the signal that came, Ctrl-C too.
+  // 0, or the signal received, including Ctrl-C.
   static int signal() noexcept;
 
  private:

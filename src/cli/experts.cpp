@@ -32,8 +32,8 @@ struct ExpertsArguments {
 
 constexpr const char* experts_footer = R"(Examples:
   bodkin experts import expert_*.bodkin      sessions of experts, each at the procedure that its case names
-  bodkin experts list                        who attempts are compared with, procedure by procedure
-  bodkin experts delete lumbar_puncture      back to the simulated experts
+  bodkin experts list                        the experts for comparison, by procedure
+  bodkin experts delete lumbar_puncture      compare with the simulated experts again
 
 Imported experts are kept in your data folder, and take the place of the simulated ones in score, report, the teacher's
 page and the window. docs/training.md explains the comparison.)";
@@ -50,8 +50,8 @@ void import_experts(const ExpertsArguments& arguments, const CommandContext& con
     training::Score& score = recorded.score;
     if (score.verdict >= training::Grade::fail) {
       ++left_out;
-      console.note(fmt::format("{} is left out, for its verdict is {}: {}", file, training::name_of(score.verdict),
-                               score.headline));
+      console.note(fmt::format("{} is left out, because its verdict is {}: {}", file,
+                               training::name_of(score.verdict), score.headline));
       continue;
     }
     const std::string procedure = score.procedure;
@@ -67,14 +67,15 @@ void import_experts(const ExpertsArguments& arguments, const CommandContext& con
                              result.attempts, file.string()));
     constexpr std::size_t fewest = 5;  // as ExpertSet compares
     if (result.attempts < fewest)
-      console.note(fmt::format("{}: experts are compared with once there are {} attempts", procedure, fewest));
+      console.note(fmt::format("{}: attempts are compared with experts once there are {} attempts of experts",
+                               procedure, fewest));
     all.push_back({{"procedure", procedure},
                    {"added", result.added},
                    {"known", result.known},
                    {"attempts", result.attempts},
                    {"file", file.string()}});
   }
-  if (left_out > 0) console.line(fmt::format("{} left out, for they failed or were dangerous", left_out));
+  if (left_out > 0) console.line(fmt::format("{} left out, because they failed or were dangerous", left_out));
   console.json(all.dump(2));
 }
 
@@ -114,13 +115,13 @@ void add_experts_command(CLI::App& app, CommandContext& context) {
       add_command(app, "experts", "Experts to compare with: import sessions, list, delete", experts_footer);
   need_command(*group);
   const auto arguments = std::make_shared<ExpertsArguments>();
-  CLI::App* import =
-      add_command(*group, "import", "Make sessions of experts what attempts are compared with", experts_footer);
+  CLI::App* import = add_command(*group, "import",
+                                 "Import sessions of experts, with which attempts are then compared", experts_footer);
   add_texts(*import, "SESSION", arguments->sessions, "Files of sessions").required();
   add_text(*import, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
   add_text(*import, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
   on_run(*import, [arguments, &context] { import_experts(*arguments, context); });
-  CLI::App* list = add_command(*group, "list", "Who attempts are compared with", experts_footer);
+  CLI::App* list = add_command(*group, "list", "List the experts with whom attempts are compared", experts_footer);
   on_run(*list, [&context] { list_experts(context); });
   CLI::App* remove = add_command(*group, "delete", "Forget the imported experts at a procedure", experts_footer);
   add_text(*remove, "PROCEDURE", arguments->procedure, "Name of the procedure").required();

@@ -44,7 +44,7 @@ constexpr const char* export_footer = R"(Examples:
 
 '-' is standard output. Every number can be read back to the same bits. docs/running.md lists the columns.)";
 
-// A file that appears whole or not at all, or standard output.
+// A file that appears complete or not at all, or standard output.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& name) : name_(name), part_(name + ".part") {
@@ -157,18 +157,21 @@ void run_export(const ExportArguments& arguments, const CommandContext& context)
 }  // namespace
 
 void add_export_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = add_command(app, "export", "Write a session as CSV, or for 3D Slicer and PLUS", export_footer);
-  add_text(*command, "SESSION", arguments->session, "Session file").required();
-  add_text(*command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
-  add_text(*command, "--events", arguments->events, "A row per event; '-' for standard output");
-  add_text(*command, "--second", arguments->second, "A row per sample of the second hand; '-' for standard output");
-  add_text(*command, "--sequence", arguments->sequence, "Poses as a sequence of PLUS, .igs.mha");
-  add_text(*command, "--recorder-log", arguments->recorder_log,
-           "Poses and events as a log of 3D Slicer's transform recorder, .xml");
-  add_number(*command, "--pose-rate", arguments->pose_rate, 1.0, 4000.0,
-             "Poses per second of those two, 1 to 4000, at most one a tick");
-  on_run(*command, [arguments, &context] { run_export(*arguments, context); });
+  add_command(app, "export", "Write a session as CSV, or for 3D Slicer and PLUS", export_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<ExportArguments>();
+                add_text(command, "SESSION", arguments->session, "Session file").required();
+                add_text(command, "--csv", arguments->ticks, "A row per tick; '-' for standard output");
+                add_text(command, "--events", arguments->events, "A row per event; '-' for standard output");
+                add_text(command, "--second", arguments->second,
+                         "A row per sample of the second hand; '-' for standard output");
+                add_text(command, "--sequence", arguments->sequence, "Poses as a sequence of PLUS, .igs.mha");
+                add_text(command, "--recorder-log", arguments->recorder_log,
+                         "Poses and events as a log of 3D Slicer's transform recorder, .xml");
+                add_number(command, "--pose-rate", arguments->pose_rate, 1.0, 4000.0,
+                           "Poses per second of those two, 1 to 4000, at most one a tick");
+                on_run(command, [arguments, &context] { run_export(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -65,7 +65,7 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
   Console console(context);
   std::vector<fs::path> files(arguments.files.begin(), arguments.files.end());
   if (files.empty()) files = io::shipped_experiments();
-  // All are read before the first is played: what is wrong is known at once.
+  // All are read before the first is played, so that errors show at once.
   std::vector<report::Figure> figures;
   std::vector<std::shared_ptr<const fem::ContactBody>> bodies;  // of each figure's patient
   std::set<std::string> names;
@@ -108,12 +108,15 @@ void run_figures(const FiguresArguments& arguments, const CommandContext& contex
 }  // namespace
 
 void add_figures_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<FiguresArguments>();
-  CLI::App* command = add_command(app, "figures", "Play published experiments again and plot them", figures_footer);
-  add_text(*command, "DIR", arguments->folder, "Folder for the pictures, tables and index.html").required();
-  add_texts(*command, "--experiment", arguments->files,
-            "Experiment file instead of those that come with Bodkin, may be repeated");
-  on_run(*command, [arguments, &context] { run_figures(*arguments, context); });
+  add_command(
+      app, "figures", "Simulate published experiments and plot the results", figures_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<FiguresArguments>();
+        add_text(command, "DIR", arguments->folder, "Folder for the pictures, tables and index.html").required();
+        add_texts(command, "--experiment", arguments->files,
+                  "Experiment file instead of those that come with Bodkin, may be repeated");
+        on_run(command, [arguments, &context] { run_figures(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

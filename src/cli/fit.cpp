@@ -32,11 +32,11 @@ struct FitArguments {
   double speed = std::numeric_limits<double>::quiet_NaN();  // not given
 };
 
-// The names of the models that can be fitted, or of those that know layers.
+// The names of the models that can be fitted, or only of those with layers.
 std::string model_list(bool with_layers) {
   std::vector<std::string_view> names;
   for (const study::FitModel& model : study::fit_models())
-    if (!with_layers || study::has_layers(model.name)) names.push_back(model.name);
+    if (!with_layers || model.stack != nullptr) names.push_back(model.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -52,11 +52,11 @@ std::string fit_footer() {
   bodkin fit tracking_wall back.csv --layers 0,2,15          a force for each layer of known depth
   bodkin fit layered slow.csv fast.csv --layers 0,2,15       stiffness, break force and friction for each
   bodkin fit all liver.csv                                   which model describes it best (AIC)
-  bodkin fit layered a.csv b.csv c.csv --needles 16G,18G,22G how the force of puncture goes with the gauge
+  bodkin fit layered a.csv b.csv c.csv --needles 16G,18G,22G puncture force as a function of the gauge
 
 Models: {}.
 The table has the columns time_s (may be missing), depth_mm, force_N; # begins a comment.
-A table without depth_mm needs --speed, and is then one even insertion.
+A table without depth_mm needs --speed and is taken as one insertion at that speed.
 Writes BASE.svg (data and fit) and BASE.xml (elements for a tissue library and a case).)",
                      model_list(false));
 }
@@ -218,7 +218,7 @@ double diameter_of(const std::string& text) {
   return size->outer_diameter;
 }
 
-// How well each model does; `layers`: those that know layers were fitted as stacks.
+// Quality of each model's fit; `layers`: models with layers were fitted as stacks.
 void print(const Console& console, const study::ModelChoice& choice, bool layers) {
   console.line(fmt::format("{:<20} {:>11} {:>10} {:>10} {:>12} {:>9} {:>8}", "model", "parameters", "R^2", "RMSE, N",
                            "AIC", "less best", "weight"));
@@ -235,12 +235,12 @@ void print(const Console& console, const study::ModelChoice& choice, bool layers
   }
   std::vector<std::string> of_one;
   for (const study::CurveFit& fit : choice.fits)
-    if (layers && !study::has_layers(fit.model)) of_one.push_back(fit.model);
+    if (layers && study::fit_model(fit.model).stack == nullptr) of_one.push_back(fit.model);
   if (!of_one.empty()) console.line(fmt::format("fitted as one tissue, without layers: {}", fmt::join(of_one, ", ")));
   console.line("");
 }
 
-// The force of puncture against the needle's diameter, over fits of one curve each.
+// Puncture force over the needle's diameter, from fits of one curve each.
 void run_gauge_law(const FitArguments& arguments, const study::FitRequest& request,
                    std::span<const study::MeasuredCurve> curves, Console& console) {
   if (arguments.needles.size() != curves.size()) {
@@ -293,7 +293,7 @@ void run_gauge_law(const FitArguments& arguments, const study::FitRequest& reque
     result["exponent_low"] = law.exponent_low;
     result["exponent_high"] = law.exponent_high;
   } else {
-    console.line("two curves tell nothing of the interval; add a third");
+    console.line("two curves give no confidence interval; add a third");
   }
   console.line("n = 1: with the perimeter of the cut; n = 2: with the needle's cross-section");
   console.line("\n" + fs::absolute(file).string());
@@ -321,7 +321,7 @@ void run_fit(const FitArguments& arguments, const CommandContext& context) {
   request.bounds = bounds_of(arguments.bounds);
   request.layers = layers_of(arguments.layers);
   if (!std::isnan(arguments.speed)) request.speed = arguments.speed;
-  if (!all) study::fit_model(request.model);  // a wrong name before a long file
+  if (!all) study::fit_model(request.model);  // reject a wrong name before reading a long file
   std::vector<study::MeasuredCurve> curves;
   for (const std::string& file : arguments.curves) curves.push_back(study::read_measured_curve(file, request.speed));
   if (!arguments.needles.empty()) return run_gauge_law(arguments, request, curves, console);
@@ -358,32 +358,36 @@ void run_fit(const FitArguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_fit_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<FitArguments>();
-  CLI::App* command =
-      add_command(app, "fit", "Parameters of a force model from measured force-depth curves", fit_footer());
-  study::FitRequest& request = arguments->request;
-  add_text(*command, "MODEL", arguments->model, "Name of the force model, or all: which of them describes it best")
-      .required();
-  add_texts(*command, "CURVE", arguments->curves, "CSV tables of the measurements, fitted together").required();
-  add_number(*command, "--from", request.from, -1000.0, 1000.0, "Only samples from this depth count, mm")
-      .without_default();
-  add_number(*command, "--to", request.to, -1000.0, 1000.0, "Only samples to this depth count, mm").without_default();
-  add_number(*command, "--speed", arguments->speed, 0.01, 1000.0, "mm/s of a curve without times, 0.01 to 1000")
-      .without_default();
-  add_number(*command, "--resolution", request.resolution, 0.0, 1.0, "Step of the measured depth, mm, 0 to 1");
-  add_texts(*command, "--fix", arguments->fix, "Keep a parameter at a value, name=value");
-  add_texts(*command, "--start", arguments->start, "Begin with a value, name=value");
-  add_texts(*command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
-  add_texts(*command, "--free", request.free, "Fit a parameter that the model usually keeps");
-  add_texts(
-      *command, "--layers", arguments->layers,
-      fmt::format("mm at which the layers of a stack begin, the first 0: values for each ({})", model_list(true)))
-      .separated_by_commas("MM,MM,...");
-  add_texts(*command, "--needles", arguments->needles,
-            "The gauge of each curve's needle: fits each curve, then the law of puncture force and diameter")
-      .separated_by_commas("16G,18G,...");
-  add_text(*command, "-o,--output", arguments->output, "BASE of BASE.svg and BASE.xml (default: fit)");
-  on_run(*command, [arguments, &context] { run_fit(*arguments, context); });
+  add_command(
+      app, "fit", "Parameters of a force model from measured force-depth curves", fit_footer(),
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<FitArguments>();
+        study::FitRequest& request = arguments->request;
+        add_text(command, "MODEL", arguments->model,
+                 "Name of the force model, or all: which of them describes it best")
+            .required();
+        add_texts(command, "CURVE", arguments->curves, "CSV tables of the measurements, fitted together").required();
+        add_number(command, "--from", request.from, -1000.0, 1000.0, "Only samples from this depth count, mm")
+            .without_default();
+        add_number(command, "--to", request.to, -1000.0, 1000.0, "Only samples to this depth count, mm")
+            .without_default();
+        add_number(command, "--speed", arguments->speed, 0.01, 1000.0, "mm/s of a curve without times, 0.01 to 1000")
+            .without_default();
+        add_number(command, "--resolution", request.resolution, 0.0, 1.0, "Step of the measured depth, mm, 0 to 1");
+        add_texts(command, "--fix", arguments->fix, "Fix a parameter at a value, name=value");
+        add_texts(command, "--start", arguments->start, "Begin with a value, name=value");
+        add_texts(command, "--bounds", arguments->bounds, "Keep a parameter within name=low:high");
+        add_texts(command, "--free", request.free, "Fit a parameter that is fixed by default");
+        add_texts(command, "--layers", arguments->layers,
+                  fmt::format("mm at which the layers of a stack begin, the first 0: values for each ({})",
+                              model_list(true)))
+            .separated_by_commas("MM,MM,...");
+        add_texts(command, "--needles", arguments->needles,
+                  "The gauge of each curve's needle: fits each curve, then the law of puncture force and diameter")
+            .separated_by_commas("16G,18G,...");
+        add_text(command, "-o,--output", arguments->output, "BASE of BASE.svg and BASE.xml (default: fit)");
+        on_run(command, [arguments, &context] { run_fit(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

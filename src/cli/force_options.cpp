@@ -13,22 +13,20 @@ namespace bodkin::cli {
 
 void add_force_options(CLI::App& command, ForceOptions& options) {
   add_text(command, "--resistance", options.resistance,
-           fmt::format("Another force along the needle than the case's, \"NAME SETTING=VALUE ...\": {}",
+           fmt::format("Force along the needle, instead of the case's, \"NAME SETTING=VALUE ...\": {}",
                        fmt::join(anatomy::resistance_names, ", ")));
   add_text(command, "--constraint", options.constraint,
-           fmt::format("Another force that keeps the needle on its path, in the same form: {}",
+           fmt::format("Constraint that keeps the needle on its path, instead of the case's, in the same form: {}",
                        fmt::join(anatomy::constraint_names, ", ")));
   add_texts(command, "--part", options.parts,
-            fmt::format("Another addition to the resistance, may be repeated: {}, or none",
+            fmt::format("Part to add to the resistance, instead of the case's parts, may be repeated: {}, or none",
                         fmt::join(io::part_names, ", ")));
-  add_text(
-      command, "--mechanics", options.mechanics,
-      "Where the models have the numbers of the tissues from, other than the case's: tables (each model its own) "
-      "or physical (one description of each tissue, for the needle of the case)");
-  add_text(
-      command, "--force-in-organs", options.force_in_organs,
-      "What is felt while the tip is in a critical structure, an organ or a lung, other than the case says: felt "
-      "(what the models say) or none (the force falls to zero)");
+  add_text(command, "--mechanics", options.mechanics,
+           "Source of the models' tissue values, instead of the case's: tables (each model has its own) or physical "
+           "(one description of each tissue, for the needle of the case)");
+  add_text(command, "--force-in-organs", options.force_in_organs,
+           "Force while the tip is in a critical structure, an organ or a lung, instead of what the case says: felt "
+           "(as the models compute it) or none (the force falls to zero)");
 }
 
 void apply(const ForceOptions& options, anatomy::HapticSettings& haptics) {

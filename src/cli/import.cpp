@@ -36,9 +36,9 @@ constexpr const char* import_footer = R"(Examples:
   bodkin import log.xml patient --needle NeedleTipToRas --points=-z
   bodkin score mine.bodkin
 
-The needle of the recording goes into the patient, and each of its layers is felt where the case has it. The frame after
-"To" must be the case's CT in RAS mm; a needle in the tracker's frame is brought there by the recording's own
-ReferenceToTracker. docs/openigtlink.md says more.)";
+The recorded needle is moved through the patient of the case, whose layers resist it where the case has them. The
+frame after "To" must be the case's CT in RAS mm; a needle in the tracker's frame is converted with the recording's own
+ReferenceToTracker. See docs/openigtlink.md.)";
 
 Mat3 needle_in_tool(const std::string& axis) {
   if (const std::optional<Mat3> tool = link::tool_along(axis)) return *tool;
@@ -88,21 +88,23 @@ void run_import(const ImportArguments& arguments, const CommandContext& context)
 }  // namespace
 
 void add_import_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ImportArguments>();
-  CLI::App* command =
-      add_command(app, "import", "A session of a needle that 3D Slicer or PLUS recorded", import_footer);
-  add_text(*command, "RECORDING", arguments->recording, "Sequence (.igs.mha, .igs.nrrd) or recorder log (.xml)")
-      .required();
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_text(*command, "-o,--output", arguments->output, "Session file");
-  add_switch(*command, "--overwrite", arguments->how.overwrite, "Replace the session file if it exists");
-  add_text(*command, "--needle", arguments->how.needle,
-           "Transform of the needle's tip (default: NeedleTipToReference)");
-  add_text(*command, "--points", arguments->axis, "The needle's axis from hub to tip: x, y, z, -x, -y or -z");
-  add_text(*command, "--probe", arguments->how.probe,
-           "Transform of the probe, where there is one (default: ProbeToReference)");
-  add_force_options(*command, arguments->forces);
-  on_run(*command, [arguments, &context] { run_import(*arguments, context); });
+  add_command(
+      app, "import", "Make a session from a needle motion that 3D Slicer or PLUS recorded", import_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<ImportArguments>();
+        add_text(command, "RECORDING", arguments->recording, "Sequence (.igs.mha, .igs.nrrd) or recorder log (.xml)")
+            .required();
+        add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+        add_text(command, "-o,--output", arguments->output, "Session file");
+        add_switch(command, "--overwrite", arguments->how.overwrite, "Replace the session file if it exists");
+        add_text(command, "--needle", arguments->how.needle,
+                 "Transform of the needle's tip (default: NeedleTipToReference)");
+        add_text(command, "--points", arguments->axis, "The needle's axis from hub to tip: x, y, z, -x, -y or -z");
+        add_text(command, "--probe", arguments->how.probe,
+                 "Transform of the probe, where there is one (default: ProbeToReference)");
+        add_force_options(command, arguments->forces);
+        on_run(command, [arguments, &context] { run_import(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -40,7 +40,7 @@ void run_markers(const MarkersArguments& arguments, const CommandContext& contex
   auto bodies = arguments.bodies.empty() ? tracking::station_bodies() : tracking::read_bodies(arguments.bodies);
   if (!arguments.pdf.empty()) write_file(arguments.pdf, tracking::marker_sheets_pdf(bodies));
   if (arguments.ruler != 100.0) {
-    // The print is not to scale: its faces are as large as they came out. Tips are no part of the print.
+    // The print is not to scale: its faces are as large as printed. Tips are not part of the print.
     for (tracking::MarkerBody& body : bodies) {
       for (tracking::MarkerFace& face : body.faces) {
         face.side *= 0.01 * arguments.ruler;
@@ -70,7 +70,7 @@ CLI::App* add_markers_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "--bodies", arguments->bodies, "Bodies to print (default: those of a teaching station)");
   add_number(*command, "--ruler", arguments->ruler, 80.0, 120.0,
              "What the ruler of 100 mm on the print measures, for --save, mm, 80 to 120");
-  // The command itself prints; with a command below it, that one works alone.
+  // The command itself prints, unless a subcommand is given.
   on_run(*command, [arguments, command, &context] {
     if (command->get_subcommands().empty()) run_markers(*arguments, context);
   });

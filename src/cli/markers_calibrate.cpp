@@ -25,8 +25,9 @@ struct MarkersCalibrateArguments {
 constexpr const char* markers_calibrate_footer = R"(Examples:
   bodkin markers calibrate pictures --body needle --camera camera.json --bodies bodies.json -o calibrated.json
 
-Hold the folded body 300 to 500 mm before the camera and turn it slowly, so that two faces or more are seen; 100 to 200
-pictures, or 20 seconds of /dev/video0, are good. The size of the markers is taken as it is: measure the print's ruler. docs/augmented-reality.md says more.)";
+Hold the folded body 300 to 500 mm in front of the camera and turn it slowly, so that two faces or more are seen; 100 to 200
+pictures, or 20 seconds of /dev/video0, are enough. The size of the markers is not calibrated: measure the ruler on the
+print. See docs/augmented-reality.md.)";
 
 void run_markers_calibrate(const MarkersCalibrateArguments& arguments, const CommandContext& context) {
   if (arguments.output.empty()) throw InputError("--output is missing; expected a file for the calibrated bodies");
@@ -66,13 +67,15 @@ void run_markers_calibrate(const MarkersCalibrateArguments& arguments, const Com
 }  // namespace
 
 void add_markers_calibrate_command(CLI::App& markers_group, CommandContext& context) {
-  auto arguments = std::make_shared<MarkersCalibrateArguments>();
-  CLI::App* command = add_command(markers_group, "calibrate", "Where the faces of a folded body really are",
-                                  markers_calibrate_footer);
-  add_footage_options(*command, arguments->footage);
-  add_text(*command, "--body", arguments->body, "Name of the body").required();
-  add_text(*command, "-o,--output", arguments->output, "File for all bodies, this one calibrated (JSON)");
-  on_run(*command, [arguments, &context] { run_markers_calibrate(*arguments, context); });
+  add_command(markers_group, "calibrate", "Measure where the faces of a folded marker body are",
+              markers_calibrate_footer, [&context](CLI::App& command) {
+                auto arguments = std::make_shared<MarkersCalibrateArguments>();
+                add_footage_options(command, arguments->footage);
+                add_text(command, "--body", arguments->body, "Name of the body").required();
+                add_text(command, "-o,--output", arguments->output,
+                         "File for all bodies, this one calibrated (JSON)");
+                on_run(command, [arguments, &context] { run_markers_calibrate(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -30,8 +30,8 @@ constexpr const char* markers_pivot_footer = R"(Examples:
   bodkin markers pivot /dev/video0 --seconds 20 --camera camera.json --body needle -o bodies.json
   bodkin markers pivot spun --spin --camera camera.json --bodies bodies.json --body needle -o bodies.json
 
-Rest the tip in a dimple and tilt the body slowly in all directions: its tip is found. With --spin turn it about its own
-axis, as a needle in a tube: its axis is found. Camera and dimple must rest. docs/augmented-reality.md says more.)";
+To find the tip, rest it in a dimple and tilt the body slowly in all directions. To find the axis, turn the body about its
+own axis, like a needle in a tube, and give --spin. Camera and dimple must not move. See docs/augmented-reality.md.)";
 
 void run_markers_pivot(const MarkersPivotArguments& arguments, const CommandContext& context) {
   require_writable(arguments.output, "--output", arguments.footage.bodies);
@@ -57,7 +57,7 @@ void run_markers_pivot(const MarkersPivotArguments& arguments, const CommandCont
     const tracking::SpinCalibration made = tracking::calibrate_spin(poses);
     body->axis = made.axis;
     console.line(
-        fmt::format("axis {:.4f} {:.4f} {:.4f}: off by {:.2f} deg RMS, {:.2f} deg in the mean, spun by {:.0f} "
+        fmt::format("axis {:.4f} {:.4f} {:.4f}: residual {:.2f} deg RMS, {:.2f} deg in the mean, spun by {:.0f} "
                     "deg; {} poses, {} too fast, {} outliers",
                     made.axis.x(), made.axis.y(), made.axis.z(), made.rms, made.mean, made.turned, made.used,
                     made.too_fast, made.outliers));
@@ -71,8 +71,8 @@ void run_markers_pivot(const MarkersPivotArguments& arguments, const CommandCont
     const tracking::PivotCalibration made = tracking::calibrate_pivot(poses);
     body->tip = made.tip;
     console.line(
-        fmt::format("tip {:.2f} {:.2f} {:.2f} mm (±{:.2f}): off by {:.2f} mm RMS, {:.2f} mm in the mean, "
-                    "tilted by {:.0f} deg; {} poses, {} too fast, {} outliers",
+        fmt::format("tip {:.2f} {:.2f} {:.2f} mm (±{:.2f}): residual {:.2f} mm RMS, {:.2f} mm in the mean, tilted by "
+                    "{:.0f} deg; {} poses, {} too fast, {} outliers",
                     made.tip.x(), made.tip.y(), made.tip.z(), made.deviation, made.rms, made.mean, made.cone,
                     made.used, made.too_fast, made.outliers));
     json = {{"tip_mm", {made.tip.x(), made.tip.y(), made.tip.z()}},
@@ -90,14 +90,16 @@ void run_markers_pivot(const MarkersPivotArguments& arguments, const CommandCont
 }  // namespace
 
 void add_markers_pivot_command(CLI::App& markers_group, CommandContext& context) {
-  auto arguments = std::make_shared<MarkersPivotArguments>();
-  CLI::App* command =
-      add_command(markers_group, "pivot", "Where the tip and the axis of a body are", markers_pivot_footer);
-  add_footage_options(*command, arguments->footage);
-  add_text(*command, "--body", arguments->body, "Name of the body").required();
-  add_switch(*command, "--spin", arguments->spin, "The body was spun about its axis, which is found");
-  add_text(*command, "-o,--output", arguments->output, "File for all bodies, this one calibrated (JSON)").required();
-  on_run(*command, [arguments, &context] { run_markers_pivot(*arguments, context); });
+  add_command(markers_group, "pivot", "Measure the tip or the axis of a marker body", markers_pivot_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<MarkersPivotArguments>();
+                add_footage_options(command, arguments->footage);
+                add_text(command, "--body", arguments->body, "Name of the body").required();
+                add_switch(command, "--spin", arguments->spin, "The body was spun about its axis; measure that axis");
+                add_text(command, "-o,--output", arguments->output, "File for all bodies, this one calibrated (JSON)")
+                    .required();
+                on_run(command, [arguments, &context] { run_markers_pivot(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -34,7 +34,7 @@ json checked_point(const std::string& text, const std::string& option) {
   return json_point(point);
 }
 
-// The rules by which the worker plans.
+// The worker's planning rules.
 void say_rules(const patient::PlanningRules& rules, json& request) {
   json avoid = json::array();
   for (const patient::AvoidRule& rule : rules.avoid) {
@@ -83,8 +83,8 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
   add_text(command, "--name", options.name, "Name of the patient (default: the folder's)");
   add_text(command, "--entry", options.entry, "Where the planned path enters the skin: x,y,z in LPS mm");
   add_text(command, "--target", options.target,
-           "Where the needle's tip should end: x,y,z in LPS mm, or a structure by its name, whose middle is meant; "
-           "without --entry the best way in is planned");
+           "Where the needle's tip should end: x,y,z in LPS mm, or the name of a structure (its middle); without "
+           "--entry the best path is planned");
   options.gauge =
       add_whole_number(command, "--needle-gauge", options.needle_gauge, anatomy::gauge_sizes().front().gauge,
                        anatomy::gauge_sizes().back().gauge,
@@ -93,15 +93,14 @@ void add_new_case_options(CLI::App& command, NewCaseOptions& options) {
       command, "--needle", options.needle,
       "The whole needle: GAUGE,LENGTH,TIP, such as 18,90,tuohy; tips are quincke, whitacre, tuohy, chiba, trephine, "
       "filiform, sprotte, diamond, conical");
-  add_text(
-      command, "--mechanics", options.mechanics,
-      "Where the force models have the numbers of the tissues from: tables (each model its own) or physical (one "
-      "description of each tissue, for the needle) (default: physical)");
+  add_text(command, "--mechanics", options.mechanics,
+           "Source of the force models' tissue values: tables (each model has its own) or physical (one description "
+           "of each tissue, for the needle) (default: physical)");
   add_texts(command, "--part", options.parts,
             fmt::format("An addition to the force along the needle, \"NAME SETTING=VALUE ...\", may be repeated: {}",
                         fmt::join(io::part_names, ", ")));
   add_text(command, "--force-in-organs", options.force_in_organs,
-           "What is felt while the tip is in a critical structure, an organ or a lung: felt (what the models say) or "
+           "Force while the tip is in a critical structure, an organ or a lung: felt (as the models compute it) or "
            "none (the force falls to zero) (default: felt)");
   add_text(command, "--procedure", options.procedure,
            "What is practised: a procedure that comes with Bodkin (default: lumbar_puncture where there is a lumbar "
@@ -121,9 +120,9 @@ json new_case_request(const NewCaseOptions& options) {
     throw InputError("--target is missing: a path needs both --entry and --target");
   const bool is_point = options.target.find(',') != std::string::npos;
   if (!options.entry.empty() && !is_point) {
-    throw InputError(
-        fmt::format("--target is '{}'; expected three numbers x,y,z with --entry; without it the way in is planned",
-                    options.target));
+    throw InputError(fmt::format(
+        "--target is '{}'; expected three numbers x,y,z with --entry; without --entry the path is planned",
+        options.target));
   }
   json request = {{"folder", io::path_text(options.folder)},
                   {"overwrite", options.overwrite},

@@ -12,9 +12,9 @@
 
 namespace bodkin::cli {
 
-// What `case new` and `case synthesize` have in common: options, and what is said at the end.
+// The common options of `case new` and `case synthesize`, and their output at the end.
 struct NewCaseOptions {
-  Argument gauge, needle_option;  // may be asked whether they were given
+  Argument gauge, needle_option;  // for queries whether they were given
   std::string folder;
   std::string name;
   std::string entry, target;  // "x,y,z"
@@ -29,14 +29,13 @@ struct NewCaseOptions {
 
 void add_new_case_options(CLI::App& command, NewCaseOptions& options);
 
-// The options as the image worker takes them. Throws InputError when one is out of range, or when a path is half
-// given.
+// The options in the image worker's format. Throws InputError if one is out of range, or if a path is incomplete.
 nlohmann::json new_case_request(const NewCaseOptions& options);
 
-// What is said of where a new case has its forces from.
+// The output line about the origin of a new case's forces.
 std::string forces_line(anatomy::Mechanics mechanics);
 
-// Has the image worker make the case and says what came of it.
+// Creates the case in the image worker and prints the outcome.
 void make_case(const std::string& verb, const nlohmann::json& request, const std::string& subject,
                const CommandContext& context);
 

@@ -11,7 +11,7 @@
 
 namespace bodkin::cli {
 
-// What a person wants to know of a session that has just ended.
+// The summary of a session that has just ended.
 struct Outcome {
   session::RunResult run;
   session::Session session;  // as it was saved
@@ -19,7 +19,7 @@ struct Outcome {
   std::filesystem::path file;
 
   double time() const;  // s of the session
-  // N, the greatest force that reached the hand.
+  // N, the greatest force applied to the hand.
   double peak_applied() const;
   double speed() const;  // times real time
 };

@@ -56,11 +56,11 @@ constexpr const char* overlay_footer = R"(Examples:
   bodkin overlay patient footage                           overlay.avi: the patient within the mannequin
   bodkin overlay patient footage -o pictures               the same as a folder of pictures
   bodkin overlay patient footage --registration registration.json --preset bone
-  bodkin overlay patient footage --ultrasound --times      with what the probe sees, and how long everything takes
+  bodkin overlay patient footage --ultrasound --times      with the probe's ultrasound, and the time of each stage
   bodkin overlay patient /dev/video0 --camera camera.json --seconds 60    a minute of a live camera
 
-Every picture is drawn with its own poses. Without --registration the entry of the planned path lies where the mannequin's
-back is in rendered footage. docs/augmented-reality.md says more.)";
+Every picture is drawn with the poses seen in it. Without --registration the entry of the planned path is placed on the
+mannequin's back, as in rendered footage. See docs/augmented-reality.md.)";
 
 tracking::AugmentedLook look_of(const OverlayArguments& arguments) {
   tracking::AugmentedLook look;
@@ -88,14 +88,14 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-// A picture whose bodies have been found.
+// A tracked image.
 struct TrackedPicture {
   imaging::ImageRgb colour;
   std::vector<tracking::TrackedPose> poses;
   Clock::time_point arrived;  // not decoded yet
 };
 
-// Draws and writes tracked pictures on a thread of its own, while the next ones are being read and tracked.
+// Draws and writes tracked images on a separate thread, while the next ones are being read and tracked.
 class OverlayWriter {
  public:
   OverlayWriter(const OverlayArguments& arguments, const anatomy::Case& patient,
@@ -115,7 +115,7 @@ class OverlayWriter {
   OverlayWriter(const OverlayWriter&) = delete;
   OverlayWriter& operator=(const OverlayWriter&) = delete;
 
-  // Waits while two are not drawn yet; throws what drawing threw.
+  // Waits while two are not yet drawn; rethrows exceptions of the drawing.
   void add(TrackedPicture picture) {
     std::unique_lock guard(lock_);
     changed_.wait(guard, [this] { return waiting_.size() < most_waiting || failure_; });
@@ -124,14 +124,14 @@ class OverlayWriter {
     changed_.notify_all();
   }
 
-  // When all are written.
+  // Returns when all are written.
   void finish() {
     end();
     if (failure_) std::rethrow_exception(failure_);
     if (video_) video_->finish();
   }
 
-  // After finish().
+  // Only after finish().
   const tracking::StageTimes& times() const { return times_; }
   int pictures() const { return pictures_; }
 
@@ -182,7 +182,7 @@ class OverlayWriter {
       if (bodies_[b].name == "probe") probe = tool;
       if (bodies_[b].name == "needle") needle = tool;
     }
-    std::shared_ptr<const imaging::MovedTissue> moved;
+    std::shared_ptr<const imaging::TissueDisplacement> moved;
     if (ultrasound_) moved = ultrasound_->press(probe, mannequin.time);
     const Clock::time_point pressed = Clock::now();
     view_.draw(picture.colour, &mannequin, tools, moved.get());
@@ -222,7 +222,7 @@ class OverlayWriter {
   std::jthread thread_;  // the last member: it uses the others
 };
 
-// Where the patient lies in the mannequin.
+// The patient's place in the mannequin.
 tracking::Registration registration_of(const OverlayArguments& arguments, const anatomy::Case& patient) {
   if (!arguments.registration.empty()) return tracking::read_registration(arguments.registration);
   tracking::Registration placed;
@@ -253,7 +253,7 @@ void print_times(Console& console, const tracking::StageTimes& tracked, const tr
 }
 
 void run_overlay(const OverlayArguments& arguments, const CommandContext& context) {
-  look_of(arguments);  // refuses what cannot be before anything is read
+  look_of(arguments);  // refuses impossible options before anything is read
   const fs::path output = arguments.output;
   std::error_code code;
   if (output.extension() == ".avi") {
@@ -269,7 +269,7 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
                                   [](const tracking::MarkerBody& body) { return body.name == "mannequin"; });
   if (found == opened.bodies.end()) {
     throw InputError(
-        fmt::format("{}: no body is called \"mannequin\", which the patient is laid into", arguments.footage.source));
+        fmt::format("{}: no body is called \"mannequin\", in which the patient is placed", arguments.footage.source));
   }
   const auto mannequin = static_cast<std::size_t>(found - opened.bodies.begin());
   tracking::Tracker tracker(opened.camera, opened.bodies);
@@ -320,29 +320,31 @@ void run_overlay(const OverlayArguments& arguments, const CommandContext& contex
 }  // namespace
 
 void add_overlay_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<OverlayArguments>();
-  CLI::App* command =
-      add_command(app, "overlay", "The patient's CT within the mannequin, over a camera's pictures", overlay_footer);
-  add_text(*command, "CASE", arguments->patient, "Folder of the case").required();
-  add_footage_options(*command, arguments->footage);
-  add_text(*command, "-o,--output", arguments->output, "Video (.avi) or new folder of pictures");
-  add_text(*command, "--registration", arguments->registration, "Patient to mannequin, from 'bodkin register'");
-  add_text(*command, "--preset", arguments->preset, "What is seen: bone, soft_tissue, skin or vessels");
-  add_text(*command, "--region", arguments->region, "Middle of the oval, LPS mm: x,y,z (default: the target)");
-  add_number(*command, "--oval-width", arguments->oval_width, 20.0, 4000.0, "Pixels, 20 to 4000");
-  add_number(*command, "--oval-height", arguments->oval_height, 20.0, 4000.0, "Pixels, 20 to 4000");
-  add_number(*command, "--threshold", arguments->threshold, 0.0, 0.99,
-             "Share of the radius that is opaque, 0 to 0.99");
-  add_number(*command, "--step", arguments->step, 0.25, 8.0, "Voxels between samples of a ray, 0.25 to 8");
-  add_switch(*command, "--no-needle", arguments->no_needle, "Leave out the needle");
-  add_switch(*command, "--no-plan", arguments->no_plan, "Leave out the planned path");
-  add_switch(*command, "--no-front-view", arguments->no_front_view, "Leave out the CT from the front");
-  add_switch(*command, "--no-status", arguments->no_status, "Leave out the text");
-  add_switch(*command, "--ultrasound", arguments->ultrasound, "Add the ultrasound of where the probe points");
-  add_switch(*command, "--full-resolution", arguments->full_resolution,
-             "Cast as finely while the mannequin or the camera moves as at rest");
-  add_switch(*command, "--times", arguments->times, "Print how long each stage of a picture takes");
-  on_run(*command, [arguments, &context] { run_overlay(*arguments, context); });
+  add_command(
+      app, "overlay", "Draw the patient's CT inside the mannequin, over a camera's pictures", overlay_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<OverlayArguments>();
+        add_text(command, "CASE", arguments->patient, "Folder of the case").required();
+        add_footage_options(command, arguments->footage);
+        add_text(command, "-o,--output", arguments->output, "Video (.avi) or new folder of pictures");
+        add_text(command, "--registration", arguments->registration, "Patient to mannequin, from 'bodkin register'");
+        add_text(command, "--preset", arguments->preset, "What is seen: bone, soft_tissue, skin or vessels");
+        add_text(command, "--region", arguments->region, "Middle of the oval, LPS mm: x,y,z (default: the target)");
+        add_number(command, "--oval-width", arguments->oval_width, 20.0, 4000.0, "Pixels, 20 to 4000");
+        add_number(command, "--oval-height", arguments->oval_height, 20.0, 4000.0, "Pixels, 20 to 4000");
+        add_number(command, "--threshold", arguments->threshold, 0.0, 0.99,
+                   "Share of the radius that is opaque, 0 to 0.99");
+        add_number(command, "--step", arguments->step, 0.25, 8.0, "Voxels between samples of a ray, 0.25 to 8");
+        add_switch(command, "--no-needle", arguments->no_needle, "Leave out the needle");
+        add_switch(command, "--no-plan", arguments->no_plan, "Leave out the planned path");
+        add_switch(command, "--no-front-view", arguments->no_front_view, "Leave out the CT from the front");
+        add_switch(command, "--no-status", arguments->no_status, "Leave out the text");
+        add_switch(command, "--ultrasound", arguments->ultrasound, "Add the ultrasound of where the probe points");
+        add_switch(command, "--full-resolution", arguments->full_resolution,
+                   "Cast rays as finely during motion of the mannequin or the camera as at rest");
+        add_switch(command, "--times", arguments->times, "Print how long each stage of a picture takes");
+        on_run(command, [arguments, &context] { run_overlay(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

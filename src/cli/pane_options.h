@@ -6,7 +6,7 @@
 
 namespace bodkin::cli {
 
-// What --ultrasound of `bodkin perform` says: "PROBE SETTING=VALUE ...". Throws InputError naming --ultrasound.
+// The value of --ultrasound of `bodkin perform`: "PROBE SETTING=VALUE ...". Throws InputError naming --ultrasound.
 station::UltrasoundRequest pane_request(const std::string& words);
 
 }  // namespace bodkin::cli

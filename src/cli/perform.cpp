@@ -30,9 +30,9 @@ station::StationResult run_with_keys(station::Station& station, PerformScreen& s
 
 void run_perform(const PerformOptions& arguments, CommandContext& context) {
   if (needs_window(arguments)) {
-    const std::string order = window_order(arguments);
+    const std::string attempt = attempt_json(arguments);
     require_window();
-    become_app({"--attempt", order, "--", arguments.folder});
+    exec_app({"--attempt", attempt, "--", arguments.folder});
   }
   Console console(context);
   station::StationOptions options = station_options(arguments, console);
@@ -43,8 +43,8 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
   console.clear_bar();
   if (const int signal = EndOnSignal::reason(); signal != 0) {
     context.exit_code = 128 + signal;
-    console.note(signal == SIGHUP ? "the terminal was closed, which ended the session; it is complete"
-                                  : "the session was ended from outside (SIGTERM); it is complete");
+    console.note(signal == SIGHUP ? "the session ended because the terminal was closed; it is complete"
+                                  : "the session was ended by SIGTERM; it is complete");
   }
   const Outcome outcome = read_outcome(arguments.output, station.patient(), std::move(result.run));
   for (const std::string& note : outcome.run.notes) console.note(note);
@@ -58,11 +58,12 @@ void run_perform(const PerformOptions& arguments, CommandContext& context) {
 }  // namespace
 
 void add_perform_command(CLI::App& app, CommandContext& context) {
-  auto options = std::make_shared<PerformOptions>();
-  CLI::App* command =
-      add_command(app, "perform", "Your own hand performs the procedure on a haptic device", perform_footer);
-  add_perform_options(*command, *options);
-  on_run(*command, [options, &context] { run_perform(*options, context); });
+  add_command(app, "perform", "Perform the procedure yourself on a haptic device", perform_footer,
+              [&context](CLI::App& command) {
+                auto options = std::make_shared<PerformOptions>();
+                add_perform_options(command, *options);
+                on_run(command, [options, &context] { run_perform(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -19,25 +19,26 @@ namespace bodkin::cli {
 
 const char* const perform_footer = R"(Examples:
   bodkin perform patient openhaptics                      the first Touch that is connected
-  bodkin perform patient spacemouse                       no force at the hand: it is shown
+  bodkin perform patient spacemouse                       no force at the hand; the force is displayed
   bodkin perform patient mouse                            the mouse, in the window of bodkin-app
-  bodkin perform patient simulated                        no hand at all: a simulated one
+  bodkin perform patient simulated                        a simulated hand
   bodkin perform patient recorded:mine.bodkin             the hand of a session
   bodkin perform patient tracked:/dev/video0 --settings "camera=camera.json bodies=bodies.json registration=placed.json"
                                                           a real needle with markers over a mannequin
   bodkin perform patient force_dimension --force-scale 0.5
   bodkin perform patient openhaptics --mannequin placed.json --hub                 a real hub over a mannequin
   bodkin perform patient ./my_driver.so -o mine.bodkin
-  bodkin perform patient mouse --ultrasound C5-2 --resistance embedded_needle      what a probe sees of it, live
+  bodkin perform patient mouse --ultrasound C5-2 --resistance embedded_needle      with live ultrasound
   bodkin perform patient force_dimension:104 --second openhaptics                  the other hand on the plunger
   bodkin perform patient force_dimension:104 --second force_dimension:105 --second-as probe
   bodkin perform patient simulated --second openhaptics --second-as probe --resistance embedded_needle --body moving
 
 The patient lies prone, the head away from you, the skin below the middle of the workspace. Keys: space holds the
-needle where it is and takes it up again; c presses and releases the clutch; a arms after a fault; d takes the force
-away, both for a second hand too; b presses and releases the plunger of a syringe ('--part syringe');
-f feels the skin with a finger and takes the needle again ('--part fingertip'); s takes the stylet out and puts it back, m connects and takes off the manometer ('--part csf_flow'); q ends. It also
-ends once the needle has been wholly out of the body for 5 s after the procedure's aim was reached. 'bodkin devices check' first shows whether the device is well.)";
+needle where it is and takes it up again; c engages and releases the clutch; a arms after a fault and d disarms, also the
+second hand; b presses and releases the plunger of a syringe ('--part syringe'); f feels the skin with a finger and takes the
+needle again ('--part fingertip'); s takes the stylet out and puts it back, m connects and removes the manometer ('--part
+csf_flow'); q ends the session. The session also ends when the needle has been wholly out of the body for 5 s after the
+procedure's aim was reached. Run 'bodkin devices check' first to see whether the device works.)";
 
 void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_text(command, "CASE", options.folder, "Folder of the case").required();
@@ -48,16 +49,16 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
   add_switch(command, "--overwrite", options.overwrite, "Replace the session file if it exists");
   add_number(command, "--scale", options.scale, 0.1, 10.0, "mm of the needle per mm of the hand, 0.1 to 10");
   add_number(command, "--force-scale", options.force_scale, 0.01, 1.0,
-             "N at the hand per N of the needle, for weak devices; recorded, never scored; 0.01 to 1");
+             "N at the hand per N at the needle, for weak devices, 0.01 to 1; recorded, but not part of the score");
   add_text(command, "--mannequin", options.mannequin,
-           "Registration of the device to a mannequin ('devices touch', 'register'): the patient lies there");
+           "Registration of the device to a mannequin ('devices touch', 'register'), in which the patient then lies");
   add_switch(command, "--hub", options.at_hub,
              "With --mannequin: the device holds a needle's hub; the tip is the needle's length in front of it");
   add_switch(command, "--no-calibration", options.no_calibration,
-             "Leave out what 'devices calibrate' found of this device");
+             "Ignore the calibration that 'devices calibrate' saved for this device");
   add_switch(command, "--allow-late", options.allow_late,
-             "Give the whole force although the system may hold up the servo (no real-time priority)");
-  add_number(command, "--max-time", options.longest, 1.0, 3600.0, "s after which it ends, 1 to 3600");
+             "Allow the full force without real-time priority, although the system may then delay the servo");
+  add_number(command, "--max-time", options.longest, 1.0, 3600.0, "Longest duration of the session, s, 1 to 3600");
   add_second_options(command, options.second);
   add_force_options(command, options.forces);
   add_body_option(command, options.body);
@@ -73,7 +74,7 @@ void add_perform_options(CLI::App& command, PerformOptions& options) {
 
 namespace {
 
-// Nothing without --mannequin. Throws InputError where it cannot be had with the other options.
+// Nothing without --mannequin. Throws InputError if it is incompatible with other options.
 std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& options,
                                                        const station::DeviceChoice& device,
                                                        const std::optional<station::SecondChoice>& second) {
@@ -91,7 +92,7 @@ std::optional<station::MannequinPlace> mannequin_place(const PerformOptions& opt
     throw InputError(
         fmt::format("--mannequin is for a device that touches it, found '{}'; leave it out", options.device.device));
   }
-  if (options.scale != 1.0) throw InputError("--mannequin lies where it is: leave out --scale");
+  if (options.scale != 1.0) throw InputError("--mannequin needs motions at true scale; leave out --scale");
   if (second && second->role == session::SecondRole::probe)
     throw InputError("--mannequin places the needle's device alone; leave out --second-as probe");
   return station::MannequinPlace{
@@ -144,7 +145,7 @@ bool needs_window(const PerformOptions& options) {
   return is_mouse(options.device) || !options.ultrasound.empty();
 }
 
-std::string window_order(const PerformOptions& options) {
+std::string attempt_json(const PerformOptions& options) {
   require_writable(options.output, "--output");
   const auto words_of = [](const DeviceOptions& device) -> nlohmann::json {
     const std::size_t colon = device.device.find(':');
@@ -152,44 +153,44 @@ std::string window_order(const PerformOptions& options) {
             {"identity", colon == std::string::npos ? "" : device.device.substr(colon + 1)},
             {"settings", device.settings}};
   };
-  nlohmann::json order = {{"resistance", options.forces.resistance},
-                          {"constraint", options.forces.constraint},
-                          {"parts", options.forces.parts},
-                          {"mechanics", options.forces.mechanics},
-                          {"force_in_organs", options.forces.force_in_organs},
-                          {"output", std::filesystem::absolute(options.output).string()},
-                          {"overwrite", options.overwrite},
-                          {"longest_s", options.longest},
-                          {"scale", options.scale},
-                          {"force_scale", options.force_scale},
-                          {"allow_late", options.allow_late},
-                          {"use_calibration", !options.no_calibration}};
+  nlohmann::json attempt = {{"resistance", options.forces.resistance},
+                            {"constraint", options.forces.constraint},
+                            {"parts", options.forces.parts},
+                            {"mechanics", options.forces.mechanics},
+                            {"force_in_organs", options.forces.force_in_organs},
+                            {"output", std::filesystem::absolute(options.output).string()},
+                            {"overwrite", options.overwrite},
+                            {"longest_s", options.longest},
+                            {"scale", options.scale},
+                            {"force_scale", options.force_scale},
+                            {"allow_late", options.allow_late},
+                            {"use_calibration", !options.no_calibration}};
   station::DeviceChoice device;
   if (is_mouse(options.device)) {
     if (!options.device.settings.empty()) throw InputError("the mouse has no settings; leave out --settings");
   } else {
     device = choose_device(options.device);
-    order["device"] = words_of(options.device);
+    attempt["device"] = words_of(options.device);
   }
   const std::optional<station::SecondChoice> second = choose_second(options.second, device);
   if (mannequin_place(options, device, second)) {
-    order["mannequin"] = std::filesystem::absolute(options.mannequin).string();
-    order["at_hub"] = options.at_hub;
+    attempt["mannequin"] = std::filesystem::absolute(options.mannequin).string();
+    attempt["at_hub"] = options.at_hub;
   }
   if (second) {
-    order["second"] = words_of(options.second.device);
-    order["second_as"] = session::name_of(second->role);
+    attempt["second"] = words_of(options.second.device);
+    attempt["second_as"] = session::name_of(second->role);
   }
   if (const std::optional<fem::ProbeFace> face = parse_body(options.body)) {
-    order["moving_body_mm"] = {face->width, face->thickness, face->radius};
+    attempt["moving_body_mm"] = {face->width, face->thickness, face->radius};
   }
   for (const anatomy::NeedlePath& left : left_needles(options.left))
-    order["left_needles_mm"].push_back(session::left_needles_text({left}));
-  if (!options.ultrasound.empty()) order["ultrasound"] = station::to_json(pane_request(options.ultrasound));
+    attempt["left_needles_mm"].push_back(session::left_needles_text({left}));
+  if (!options.ultrasound.empty()) attempt["ultrasound"] = station::to_json(pane_request(options.ultrasound));
   io::read_case_description(options.folder);
   anatomy::HapticSettings unused;
   apply(options.forces, unused);  // refuses what it cannot read
-  return order.dump();
+  return attempt.dump();
 }
 
 }  // namespace bodkin::cli

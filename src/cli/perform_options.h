@@ -29,7 +29,7 @@ struct PerformOptions {
   ForceOptions forces;
   std::string body;               // "": static
   std::string ultrasound;         // "": none
-  std::vector<std::string> left;  // "ENTRY:TIP" of needles that were left in the body
+  std::vector<std::string> left;  // "ENTRY:TIP" of needles left in the body
 };
 
 // The examples and the keys, below --help.
@@ -37,12 +37,12 @@ extern const char* const perform_footer;
 
 void add_perform_options(CLI::App& command, PerformOptions& options);
 
-// Loads the drivers and the case, and turns every text into what it means. Throws InputError naming the option.
+// Loads the drivers and the case, and parses every text. Throws InputError naming the option.
 station::StationOptions station_options(const PerformOptions& options, Console& console);
 
-// The mouse holds the needle, or ultrasound is to be seen: bodkin-app does it.
+// The mouse holds the needle, or ultrasound is requested: both require bodkin-app.
 bool needs_window(const PerformOptions& options);
-// The same for bodkin-app --attempt, as JSON. Checks every text but the case; throws InputError naming the option.
-std::string window_order(const PerformOptions& options);
+// The options for bodkin-app --attempt, as JSON. Checks all but the case; throws InputError naming the option.
+std::string attempt_json(const PerformOptions& options);
 
 }  // namespace bodkin::cli

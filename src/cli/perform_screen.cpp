@@ -96,7 +96,7 @@ void PerformScreen::follow_taken_out(station::Station& station, const station::S
   if (has_ended_) return;
   const simulation::TickOutput& now = status.needle.output;
   const bool has_needle = !status.needle.other.finger;
-  Vec3 tip = status.needle.needle.translation() - status.needle.needle_ahead;
+  Vec3 tip = status.needle.needle.translation() - status.needle.coupling_offset;
   if (const auto& breathing = station.patient().description.breathing)
     tip = anatomy::BreathField(*breathing).material(tip, now.drawn_in);
   taken_out_.follow({.time = status.time,

@@ -7,23 +7,23 @@
 #include "station/station_observer.h"
 
 #include "cli/console.h"
-#include "training/taken_out.h"
+#include "training/needle_withdrawal.h"
 
 namespace bodkin::cli {
 
 class TerminalKeys;
 
-// What a person who performs sees and presses in the terminal.
+// Display and keys of `bodkin perform` in the terminal.
 class PerformScreen : public station::StationObserver {
  public:
   // `longest`: s of the session.
   PerformScreen(Console& console, double longest);
 
-  // Single keys from the terminal are commands while `keys` lives; may be null.
+  // Interprets single keys from the terminal as commands during the lifetime of `keys`; may be null.
   void listen_to(TerminalKeys* keys) noexcept { keys_ = keys; }
 
-  // The session ends as the patient's procedure has it: in a biopsy when the tip touches the mass, otherwise when the
-  // needle was taken out. Without this call a person ends it.
+  // Ends the session as the patient's procedure defines: in a biopsy when the tip touches the mass, otherwise when
+  // the needle was withdrawn. Without this call the user ends it.
   void end_as_practised(const anatomy::Case& patient);
 
   Progress progress() override { return console_.progress(); }
@@ -37,10 +37,10 @@ class PerformScreen : public station::StationObserver {
   Console& console_;
   Progress line_;  // of the terminal
   double longest_;
-  std::string ending_;  // name of the tissue at which it ends, touched after the skin has given way; may be empty
+  std::string ending_;  // tissue whose contact ends the session, after puncture of the skin; may be empty
   station::PunctureWatch contact_;
-  training::TakenOut taken_out_;
-  bool has_ended_ = false;  // by itself
+  training::NeedleWithdrawal taken_out_;
+  bool has_ended_ = false;  // automatically
   TerminalKeys* keys_ = nullptr;
 };
 

@@ -30,9 +30,9 @@ struct PlanArguments {
 };
 
 constexpr const char* plan_footer = R"(Examples:
-  bodkin plan check week.xml                                  every name in it exists
+  bodkin plan check week.xml                                  check that every name in it exists
   bodkin plan show lumbar_puncture_first_steps                its stages, criteria and aids
-  bodkin plan show week.xml --trainee trainee-07              and how far a trainee is
+  bodkin plan show week.xml --trainee trainee-07              and the progress of a trainee
 
 In the window a trainee chooses a plan on the start page. docs/plans.md explains plans.)";
 
@@ -128,13 +128,13 @@ void add_plan_command(CLI::App& app, CommandContext& context) {
   CLI::App* group = add_command(app, "plan", "Plans of training: check and show", plan_footer);
   need_command(*group);
   auto check = std::make_shared<PlanArguments>();
-  CLI::App* command = add_command(*group, "check", "Reads a plan, and looks for every name in it", plan_footer);
+  CLI::App* command = add_command(*group, "check", "Check a plan and every name in it", plan_footer);
   add_text(*command, "PLAN", check->plan, "File of the plan, or the name of one that comes with Bodkin").required();
   on_run(*command, [check, &context] { run_plan(*check, context, true); });
   auto show = std::make_shared<PlanArguments>();
   command = add_command(*group, "show", "Stages, criteria and aids of a plan", plan_footer);
   add_text(*command, "PLAN", show->plan, "File of the plan, or the name of one that comes with Bodkin").required();
-  add_text(*command, "--trainee", show->trainee, "How far this one is");
+  add_text(*command, "--trainee", show->trainee, "Trainee whose progress is shown");
   add_text(*command, "--store", show->store, "File or postgresql:// address of the store");
   on_run(*command, [show, &context] { run_plan(*show, context, false); });
 }

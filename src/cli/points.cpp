@@ -97,13 +97,14 @@ void run_points(const PointsOptions& options, const CommandContext& context) {
 }  // namespace
 
 void add_points_command(CLI::App& app, CommandContext& context) {
-  auto options = std::make_shared<PointsOptions>();
-  CLI::App* command =
-      add_command(app, "points", "Acupuncture points: where they are, how deep, what lies under them", points_footer);
-  add_text(*command, "WORDS", options->words, "Code, name or meridian (default: all)");
-  add_switch(*command, "--csv", options->csv, "As a table");
-  add_body_parameters(*command, options->body);
-  on_run(*command, [options, &context] { run_points(*options, context); });
+  add_command(app, "points", "Acupuncture points: where they are, how deep, what lies under them", points_footer,
+              [&context](CLI::App& command) {
+                auto options = std::make_shared<PointsOptions>();
+                add_text(command, "WORDS", options->words, "Code, name or meridian (default: all)");
+                add_switch(command, "--csv", options->csv, "As a table");
+                add_body_parameters(command, options->body);
+                on_run(command, [options, &context] { run_points(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

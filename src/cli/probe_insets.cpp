@@ -32,7 +32,7 @@ ProbeInsets::ProbeInsets(const anatomy::Case& patient, const std::filesystem::pa
                          const std::function<void(const std::string&)>& note)
     : patient_(patient), scan_(patient, folder, usual_choice(), note) {}
 
-std::shared_ptr<const imaging::MovedTissue> ProbeInsets::press(const std::optional<Pose>& probe, double time) {
+std::shared_ptr<const imaging::TissueDisplacement> ProbeInsets::press(const std::optional<Pose>& probe, double time) {
   held_.reset();
   if (probe) held_ = station::probe_in_hand(*probe);
   scan_.advance(held_, last_ ? time - *last_ : 0.0);
@@ -42,8 +42,8 @@ std::shared_ptr<const imaging::MovedTissue> ProbeInsets::press(const std::option
 
 void ProbeInsets::draw(imaging::ImageRgb& picture, const std::optional<Pose>& needle) {
   if (!held_) return;
-  std::optional<imaging::NeedleInSound> in_sound;
-  if (needle) in_sound = imaging::NeedleInSound{*needle, patient_.description.needle};
+  std::optional<imaging::NeedleInUltrasound> in_sound;
+  if (needle) in_sound = imaging::NeedleInUltrasound{*needle, patient_.description.needle};
   const imaging::UltrasoundFrame& frame = scan_.image(*held_, in_sound);
   imaging::ImageRgb grey(frame.width, frame.height);
   for (std::size_t i = 0; i < grey.pixels.size(); ++i)

@@ -13,23 +13,23 @@
 
 namespace bodkin::cli {
 
-// What a tracked probe sees, in one corner of a picture, and the CT in its plane in another.
+// The image of a tracked probe in one corner of an image, and the CT in its plane in another.
 class ProbeInsets {
  public:
-  // `folder`: of the patient's case. `note` takes sentences for the user.
+  // `folder`: of the patient's case. `note` receives messages for the user.
   ProbeInsets(const anatomy::Case& patient, const std::filesystem::path& folder,
               const std::function<void(const std::string&)>& note);
 
-  // The probe, as a tool in the patient, presses him until `time` (s, of the next picture); nothing: it is lifted.
-  // How his tissue has moved then; null: it rests.
-  std::shared_ptr<const imaging::MovedTissue> press(const std::optional<Pose>& probe, double time);
-  // Where the probe was pressed last; without one there is no picture. `needle`: as a tool in the patient.
+  // Presses the probe, as a tool in the patient, until `time` (s, of the next image); empty: it is lifted. Returns
+  // the displacement of the tissue at that time; null: at rest.
+  std::shared_ptr<const imaging::TissueDisplacement> press(const std::optional<Pose>& probe, double time);
+  // At the last pressed pose; without one there is no image. `needle`: as a tool in the patient.
   void draw(imaging::ImageRgb& picture, const std::optional<Pose>& needle);
 
  private:
   const anatomy::Case& patient_;
   station::PressedScan scan_;
-  std::optional<double> last_;  // s, time of the picture before
+  std::optional<double> last_;  // s, time of the previous image
   std::optional<Pose> held_;    // the machine's probe
 };
 

@@ -44,7 +44,7 @@ constexpr const char* profile_footer = R"(Examples:
   bodkin profile patient --speed 2 --pause 1 --withdraw -o out/slow
   bodkin profile patient --resistance "tracking_wall catch_up_s=0.3" --constraint "rail torsion_N_mm_per_rad=500"
   bodkin profile patient --resistance tracking_wall --motion "25 at 10, hold 2, 10 at 20, 45 at 5, hold 1, out"
-  bodkin profile patient --resistance embedded_needle --deformation              with the tissue as it gives way
+  bodkin profile patient --resistance embedded_needle --deformation              with a figure of the deformed tissue
 
 Writes BASE.csv (a row per tick) and BASE.svg (force against depth with the tissues as bands;
 below it what the force models publish, such as the position of the tracking wall; with a rest, a
@@ -109,7 +109,7 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
                               : arguments.pause_given.given() ? "--pause"
                               : options.withdraw              ? "--withdraw"
                                                               : nullptr;
-    if (other != nullptr) throw InputError(fmt::format("--motion says all steps; leave out {}", other));
+    if (other != nullptr) throw InputError(fmt::format("--motion already states every step; leave out {}", other));
   }
   const std::string base = arguments.output.empty() ? "profile" : arguments.output;
   const report::PlottedDepth depth = report::parse_plotted_depth(arguments.depth, "--depth");
@@ -175,32 +175,35 @@ void run_profile(const ProfileArguments& arguments, const CommandContext& contex
 }  // namespace
 
 void add_profile_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ProfileArguments>();
-  CLI::App* command = add_command(
+  add_command(
       app, "profile", "Force against depth of a needle driven in at constant speed, or moved step by step",
-      profile_footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
-  add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
-  add_number(*command, "--speed", arguments->options.speed, 0.5, 500.0, "mm/s, 0.5 to 500");
-  arguments->beyond_given =
-      add_number(*command, "--beyond", arguments->options.beyond, 0.0, 200.0, "mm past the target, 0 to 200");
-  arguments->pause_given =
-      add_number(*command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
-  add_switch(*command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
-  add_text(
-      *command, "--motion", arguments->motion,
-      "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or out, each "
-      "'at' mm/s (default: --speed), and 'hold' s");
-  add_text(
-      *command, "--depth", arguments->depth,
-      "What the plot counts: hand, how deep the tip has been brought, or material, how deep what it touches lies "
-      "at rest (default: hand)");
-  add_text(*command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
-  add_switch(*command, "--deformation", arguments->deformation,
-             "Of a deformable body: also BASE-deformation.svg, the patient at rest and where it resisted most");
-  add_force_options(*command, arguments->forces);
-  on_run(*command, [arguments, &context] { run_profile(*arguments, context); });
+      profile_footer, [&context](CLI::App& command) {
+        auto arguments = std::make_shared<ProfileArguments>();
+        add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+        add_text(command, "--entry", arguments->entry,
+                 "Where the path begins, x,y,z in LPS mm (default: as planned)");
+        add_text(command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
+        add_number(command, "--speed", arguments->options.speed, 0.5, 500.0, "mm/s, 0.5 to 500");
+        arguments->beyond_given =
+            add_number(command, "--beyond", arguments->options.beyond, 0.0, 200.0, "mm past the target, 0 to 200");
+        arguments->pause_given =
+            add_number(command, "--pause", arguments->options.pause, 0.0, 60.0, "s at the deepest point, 0 to 60");
+        add_switch(command, "--withdraw", arguments->options.withdraw, "Pull the needle out again at the same speed");
+        add_text(command, "--motion", arguments->motion,
+                 "Steps of a motion, such as \"25 at 10, hold 2, 10, 45 at 5, out\": mm below the skin, target or "
+                 "out, each "
+                 "'at' mm/s (default: --speed), and 'hold' s");
+        add_text(
+            command, "--depth", arguments->depth,
+            "Depth axis of the plot: hand (depth of the tip) or material (depth at rest of the tissue at the tip) "
+            "(default: hand)");
+        add_text(command, "-o,--output", arguments->output, "BASE of BASE.csv and BASE.svg (default: profile)");
+        add_switch(command, "--deformation", arguments->deformation,
+                   "With a deformable body: also write BASE-deformation.svg, the patient at rest and where it "
+                   "resisted most");
+        add_force_options(command, arguments->forces);
+        on_run(command, [arguments, &context] { run_profile(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -26,35 +26,35 @@ constexpr int exit_input_error = 2;
 
 constexpr const char* main_footer = R"(Examples:
   bodkin app                                     practise in a window
-  bodkin case synthesize lumbar patient          make a lumbar torso from nothing but a seed
-  bodkin case synthesize body patient --point ST36   a body about an acupuncture point
+  bodkin case synthesize lumbar patient          make a lumbar torso from parameters and a seed
+  bodkin case synthesize body patient --point ST36   a body around an acupuncture point
   bodkin case new patient --ct dicom_folder      make a case from a CT
-  bodkin case show patient                       what is in it, as text and as a picture
+  bodkin case show patient                       what is in it, as text and as a figure
   bodkin case plan patient --target liver        paths to any place, and what they keep clear of
   bodkin case mesh patient                       tetrahedra for the deformable body
   bodkin profile patient                         force against depth along the planned path
   bodkin compare patient                         every force model on the same motion
   bodkin run patient --operator novice           a simulated hand performs the procedure
   bodkin score session.bodkin                    how good it was, and why
-  bodkin results list                            how every trainee does
+  bodkin results list                            results of every trainee
   bodkin report session.bodkin                   what happened, as one HTML file
   bodkin fit layered skin.csv                    parameters of a force model from a measured curve
-  bodkin perform patient openhaptics             your own hand performs it on a haptic device
-  bodkin ultrasound patient --ct                 what an ultrasound probe shows, beside the CT
+  bodkin perform patient openhaptics             perform it yourself on a haptic device
+  bodkin ultrasound patient --ct                 what an ultrasound probe shows, next to the CT
   bodkin overlay patient footage                 the patient within a tracked mannequin
   bodkin devices list                            haptic devices that are connected
-  bodkin figures figures                         published experiments, played again and plotted
+  bodkin figures figures                         published experiments, simulated and plotted
 
 'bodkin COMMAND --help' explains a command. Coordinates are patient coordinates, LPS, in mm.)";
 
 }  // namespace
 
 int run_program(int argc, char** argv) {
-  // This program asking a driver in a child process of its own: no command for people.
+  // This program querying a driver in a child process: not a command for users.
   if (argc == 2 && std::string_view(argv[1]) == station::driver_inquiry_argument) {
     return station::answer_driver_inquiry(load_driver);
   }
-  survive_closed_pipes();
+  ignore_broken_pipes();
   CLI::App app{"Bodkin: put needles into bodies, feel what they meet, and see how well it went."};
   app.footer(main_footer);
   app.require_subcommand(1);
@@ -112,7 +112,7 @@ int run_program(int argc, char** argv) {
   CLI::App* markers_group = add_markers_command(app, context);
   add_markers_calibrate_command(*markers_group, context);
   add_markers_pivot_command(*markers_group, context);
-  CLI::App* camera_group = app.add_subcommand("camera", "Find out how a camera sees");
+  CLI::App* camera_group = app.add_subcommand("camera", "Calibrate a camera");
   camera_group->require_subcommand(1);
   add_camera_board_command(*camera_group, context);
   add_camera_calibrate_command(*camera_group, context);

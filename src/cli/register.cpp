@@ -41,13 +41,12 @@ constexpr const char* register_footer = R"(Examples:
   bodkin register board.csv mannequin_ct --match --first moved.json -o registration.json
                                                         the same, moved.json being what 'case warp --placed' wrote
 
-A file of points has a line "name,x,y,z" or "x,y,z" for each, mm; three more numbers are the standard deviations of its x, y
-and z, which the error at the target is then predicted from. A folder is a case: its points are the beads (balls of 1 to
-4 mm radius above 300 HU) in its CT. A CT needs --match.
-FIXED says where things are, MOVING is laid upon it. docs/augmented-reality.md
-explains the numbers.)";
+A file of points has one line "name,x,y,z" or "x,y,z" per point, in mm. Three more numbers in a line are the standard
+deviations of x, y and z, from which the error at the target is then predicted. A folder is a case: its points are the
+beads (balls of 1 to 4 mm radius above 300 HU) in its CT, which need --match.
+MOVING is transformed to fit FIXED. docs/augmented-reality.md explains the numbers.)";
 
-// Refuses a file that cannot become a picture, before anything is read.
+// Refuses an unsuitable image file before anything is read.
 void require_picture(const std::filesystem::path& file) {
   if (file.empty()) return;
   if (file.extension() != ".png" && file.extension() != ".svg") {
@@ -64,13 +63,13 @@ std::string picture_of(const std::filesystem::path& file, const tracking::Regist
   return file.extension() == ".svg" ? picture.svg() : picture.png(picture_zoom);
 }
 
-// `whole`: the registration with the one of `file` before or after it; what is known of its points stays.
+// `whole`: the registration combined with that of `file` before or after it; data about its points are kept.
 void take_chain(Console& console, tracking::Registration& registration, tracking::Registration whole,
-                const std::string& file, bool tells_errors) {
-  if (!tells_errors) {
+                const std::string& file, bool has_errors) {
+  if (!has_errors) {
     console.note(
-        fmt::format("{} does not tell its errors, so that none can be predicted through it; only what 'bodkin "
-                    "register -o' writes does",
+        fmt::format("{} does not contain its errors, so none can be predicted through it; use a file that 'bodkin "
+                    "register -o' wrote",
                     file));
   }
   std::string line = fmt::format("through {}: scale {:.5f}", file, whole.fixed_from_moving.scale);
@@ -102,7 +101,7 @@ tracking::NamedPoints points_of(const std::string& name, const Progress& progres
   return points;
 }
 
-// The beads of a CT are found in no order that other points could share.
+// The beads of a CT are found in no particular order.
 void require_match_for_folders(const RegisterArguments& arguments) {
   if (arguments.match) return;
   for (const std::string& name : {arguments.fixed, arguments.moving}) {
@@ -123,7 +122,7 @@ void note_lonely_points(Console& console, const std::vector<std::string>& alone,
   console.note(fmt::format("{}: no point of {} belongs to {}; left out", in, other, names));
 }
 
-// What must be right before anything is read.
+// Requirements to check before anything is read.
 void check_arguments(const RegisterArguments& arguments) {
   if (!arguments.output.empty()) {
     for (const std::string& input : {arguments.first, arguments.then})
@@ -161,7 +160,7 @@ void print_points(Console& console, const tracking::PointPairs& pairs, const tra
                            registration.fre_mean, registration.fixed_from_moving.scale));
 }
 
-// What looks wrong about the points.
+// Doubtful properties of the points.
 void note_doubts(Console& console, const tracking::PointPairs& pairs, bool with_scale) {
   const auto swapped = tracking::swapped_pairs(pairs.fixed, pairs.moving, with_scale);
   if (!swapped.empty()) {
@@ -227,21 +226,24 @@ void run_register(const RegisterArguments& arguments, const CommandContext& cont
 }  // namespace
 
 void add_register_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<RegisterArguments>();
-  CLI::App* command =
-      add_command(app, "register", "Lay one set of points on another, and say what it is worth", register_footer);
-  add_text(*command, "FIXED", arguments->fixed, "File of points, or a case with beads").required();
-  add_text(*command, "MOVING", arguments->moving, "The same points elsewhere").required();
-  add_switch(*command, "--scale", arguments->scale, "Find a scale too");
-  add_switch(*command, "--match", arguments->match, "Pair the points by their distances");
-  add_text(*command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
-  add_text(*command, "--first", arguments->first,
-           "A registration that comes before, of another frame to MOVING's: file and target then begin there");
-  add_text(*command, "--then", arguments->then,
-           "A registration that follows, of FIXED's frame to another: the file then leads there");
-  add_text(*command, "--picture", arguments->picture, "Picture of points, residuals and target, .svg or .png");
-  add_text(*command, "-o,--output", arguments->output, "File for the registration (JSON)");
-  on_run(*command, [arguments, &context] { run_register(*arguments, context); });
+  add_command(
+      app, "register", "Register one set of points to another, and estimate the error", register_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<RegisterArguments>();
+        add_text(command, "FIXED", arguments->fixed, "File of points, or a case with beads").required();
+        add_text(command, "MOVING", arguments->moving, "The same points in another frame").required();
+        add_switch(command, "--scale", arguments->scale, "Find a scale too");
+        add_switch(command, "--match", arguments->match, "Pair the points by their distances");
+        add_text(command, "--target", arguments->target, "Where the error matters, moving frame, mm: x,y,z");
+        add_text(
+            command, "--first", arguments->first,
+            "Registration to apply first, from another frame to MOVING's: file and target are then in that frame");
+        add_text(command, "--then", arguments->then,
+                 "Registration to apply last, from FIXED's frame to another: the file then leads to that frame");
+        add_text(command, "--picture", arguments->picture, "Picture of points, residuals and target, .svg or .png");
+        add_text(command, "-o,--output", arguments->output, "File for the registration (JSON)");
+        on_run(command, [arguments, &context] { run_register(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

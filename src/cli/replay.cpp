@@ -25,7 +25,7 @@ struct ReplayArguments {
 
 constexpr const char* replay_footer = R"(Examples:
   bodkin replay session.bodkin                  recompute every tick and compare
-  bodkin replay session.bodkin --case patient   when the case has moved
+  bodkin replay session.bodkin --case patient   if the case folder was moved
 
 Exit code 0: identical to the last bit. 3: something differs; the first difference is shown.)";
 
@@ -72,12 +72,14 @@ int run_replay(const ReplayArguments& arguments, const CommandContext& context) 
 }  // namespace
 
 void add_replay_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command =
-      add_command(app, "replay", "Recompute a session and prove that it is the same to the bit", replay_footer);
-  add_text(*command, "SESSION", arguments->session, "Session file").required();
-  add_text(*command, "--case", arguments->case_folder, "Folder of the case (default: as the session says)");
-  on_run(*command, [arguments, &context] { context.exit_code = run_replay(*arguments, context); });
+  add_command(app, "replay", "Recompute a session and check that every bit is the same", replay_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<ReplayArguments>();
+                add_text(command, "SESSION", arguments->session, "Session file").required();
+                add_text(command, "--case", arguments->case_folder,
+                         "Folder of the case (default: as the session says)");
+                on_run(command, [arguments, &context] { context.exit_code = run_replay(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -48,7 +48,7 @@ constexpr const char* report_footer = R"(Examples:
   bodkin report session.bodkin                       writes session.html next to it
   bodkin report session.bodkin -o report.html --open
   bodkin report session.bodkin -o report.pdf         pages of A4, to print or to keep
-  bodkin report session.bodkin --case moved/patient  when the case is not where it was recorded)";
+  bodkin report session.bodkin --case moved/patient  if the case folder was moved)";
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -85,7 +85,7 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
   const anatomy::Case patient = io::load_case(folder, console.progress());
   const bool changed = !session::is_digest_of_case(session.header.case_digest, patient, text_of(folder / "case.xml"),
                                                    session::mesh_digest(folder, session.header.haptics.resistance));
-  if (changed) console.note("the case has changed since the recording; slices and tissues show what it is now");
+  if (changed) console.note("the case has changed since the recording; slices and tissues show its present state");
   const anatomy::CaseDescription description = training::description_of(session);
   const training::Procedure procedure = arguments.procedure.empty()
                                             ? training::procedure_of_case(description.procedure.name)
@@ -122,20 +122,23 @@ void run_report(const ReportArguments& arguments, const CommandContext& context)
 }  // namespace
 
 void add_report_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ReportArguments>();
-  CLI::App* command =
-      add_command(app, "report", "What happened in a session, as one HTML or PDF file", report_footer);
-  add_text(*command, "SESSION", arguments->session, "File of the session").required();
-  add_text(*command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
-  add_text(*command, "-o,--output", arguments->output,
-           "The report, ending .html or .pdf (default: next to the session, ending .html)");
-  add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
-  add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
-  add_text(*command, "--depth", arguments->depth,
-           "What the plot of the force counts: hand, how deep the tip was brought, or material, how deep what it "
-           "touched lies at rest (default: hand)");
-  add_switch(*command, "--open", arguments->open, "Open the report when there is a display");
-  on_run(*command, [arguments, &context] { run_report(*arguments, context); });
+  add_command(
+      app, "report", "What happened in a session, as one HTML or PDF file", report_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<ReportArguments>();
+        add_text(command, "SESSION", arguments->session, "File of the session").required();
+        add_text(command, "--case", arguments->folder, "Folder of the case (default: where it was recorded)");
+        add_text(command, "-o,--output", arguments->output,
+                 "The report, ending .html or .pdf (default: next to the session, ending .html)");
+        add_text(command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
+        add_text(command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
+        add_text(
+            command, "--depth", arguments->depth,
+            "Depth axis of the force plot: hand (depth of the tip) or material (depth at rest of the tissue at the "
+            "tip) (default: hand)");
+        add_switch(command, "--open", arguments->open, "Open the report when there is a display");
+        on_run(command, [arguments, &context] { run_report(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

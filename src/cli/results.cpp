@@ -46,7 +46,7 @@ using Arguments = std::shared_ptr<ResultsArguments>;
 constexpr const char* results_footer = R"(Examples:
   bodkin results add session.bodkin --trainee trainee-07   judges a session and keeps the result
   bodkin results list                                      every trainee at every procedure
-  bodkin results show trainee-07 -o curve.svg              the attempts of one, and the learning curve
+  bodkin results show trainee-07 -o curve.svg              the attempts of a trainee, and the learning curve
   bodkin results csv -o results.csv                        one row for each attempt, for statistics
   bodkin results list --store postgresql://station@server/bodkin
 
@@ -64,7 +64,7 @@ void note_waiting(Console& console, const training::Outbox& outbox) {
   if (waiting > 0)
     console.note(fmt::format(
         "attempts of this station that wait for the store: {}; 'bodkin results deliver' tries again", waiting));
-  for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
+  for (const training::PendingAttempts& other : outbox.waiting_elsewhere()) {
     console.note(
         fmt::format("attempts of this station that wait for another store, {}: {}; 'bodkin results deliver --store' "
                     "with its address tries again",
@@ -77,7 +77,7 @@ void run_add(const ResultsArguments& arguments, const CommandContext& context) {
   training::check_label(arguments.trainee, "--trainee");
   std::optional<training::PlanInUse> plan;
   if (!arguments.plan.empty()) plan = training::read_plan_in_use(arguments.plan);
-  // All are judged before the first is kept.
+  // All are scored before the first is stored.
   std::vector<training::AttemptRecord> records;
   for (const std::string& file : arguments.sessions) {
     const training::RecordedScore judged =
@@ -216,7 +216,7 @@ void run_delete(const ResultsArguments& arguments, const CommandContext& context
                            done.deleted_files.size()));
   for (const std::string& file : done.other_files)
     console.note(fmt::format("a session file is still to be deleted by hand: {}", file));
-  for (const training::WaitingFor& other : outbox.waiting_elsewhere()) {
+  for (const training::PendingAttempts& other : outbox.waiting_elsewhere()) {
     console.note(
         fmt::format("attempts of this station that wait for another store, {}: {}; what {} has there is deleted with "
                     "--store and its address",
@@ -237,7 +237,7 @@ void run_deliver(const ResultsArguments& arguments, const CommandContext& contex
   console.json(ordered_json{{"delivered", delivered}}.dump(2));
 }
 
-// A command of the group with what all of them have.
+// A command of the group with the common options.
 CLI::App* add_one(CLI::App& group, CommandContext& context, const Arguments& arguments, const std::string& name,
                   const std::string& help, void (*work)(const ResultsArguments&, const CommandContext&)) {
   CLI::App* command = add_command(group, name, help, results_footer);
@@ -254,9 +254,9 @@ void add_results_command(CLI::App& app, CommandContext& context) {
   const auto fresh = [] { return std::make_shared<ResultsArguments>(); };
 
   Arguments add = fresh();
-  CLI::App* command = add_one(*group, context, add, "add", "Judges sessions and keeps the results", run_add);
+  CLI::App* command = add_one(*group, context, add, "add", "Score sessions and keep the results", run_add);
   add_texts(*command, "SESSION", add->sessions, "Files of sessions").required();
-  add_text(*command, "--trainee", add->trainee, "Label of the trainee, no name: trainee-07").required();
+  add_text(*command, "--trainee", add->trainee, "Label of the trainee, not a name: trainee-07").required();
   add_text(*command, "--procedure", add->procedure, "Name or file of a procedure (default: the case's)");
   add_text(*command, "--plan", add->plan, "Plan that the attempts belong to, a file or a name");
   add_switch(*command, "--own", add->owns, "Deleting the trainee deletes the session files too");
@@ -277,14 +277,14 @@ void add_results_command(CLI::App& app, CommandContext& context) {
   add_text(*command, "-o,--output", csv->output, "The table (default: results.csv); it is replaced");
 
   Arguments gone = fresh();
-  command = add_one(*group, context, gone, "delete", "Deletes everything of a trainee, for good", run_delete);
+  command = add_one(*group, context, gone, "delete", "Delete all data of a trainee, permanently", run_delete);
   add_text(*command, "TRAINEE", gone->trainee, "Label of the trainee").required();
 
   Arguments deliver = fresh();
-  command =
-      add_one(*group, context, deliver, "deliver", "Delivers what waits on this station for the store", run_deliver);
+  command = add_one(*group, context, deliver, "deliver",
+                    "Deliver the results that wait on this station for the store", run_deliver);
   add_text(*command, "--from", deliver->from,
-           "Address of a store that has moved: what waits for it goes to this one");
+           "Former address of a store that has moved: results that wait for it go to this store");
 }
 
 }  // namespace bodkin::cli

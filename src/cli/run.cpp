@@ -41,14 +41,14 @@ struct RunArguments {
 constexpr const char* run_footer = R"(Examples:
   bodkin run patient                                 an expert performs the procedure as planned
   bodkin run patient --operator novice --seed 7      a beginner; another seed, another attempt
-  bodkin run patient --operator mine.xml --realtime  an operator of your own, on the clock
+  bodkin run patient --operator mine.xml --realtime  an operator of your own, in real time
   bodkin run patient --entry=-3,95,8 --target=0,45,12
   bodkin run patient --resistance "tracking_wall catch_up_s=0.3" --part "relaxation share=0.4 time_s=2"
 
 The session is saved while it runs; 'bodkin report', 'replay' and 'export' read it.
 docs/running.md explains operators and how to write one.)";
 
-// "session-CASE-OPERATOR-SEED.bodkin" in the current folder, numbered when there is one already.
+// "session-CASE-OPERATOR-SEED.bodkin" in the current folder, numbered if it exists already.
 fs::path free_name(const std::string& case_name, const std::string& operator_name, std::uint64_t seed,
                    bool overwrite) {
   std::string base = fmt::format("session-{}-{}-{}", case_name, operator_name, seed);
@@ -101,13 +101,13 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
   session::RunResult run;
   {
     const EndOnSignal signals;
-    settings.gives_up = [] { return EndOnSignal::signal() != 0; };
+    settings.cancelled = [] { return EndOnSignal::signal() != 0; };
     run = session::run_session(patient, header, settings, console.progress());
   }
   console.clear_bar();
-  if (run.given_up) {
+  if (run.cancelled) {
     context.exit_code = 128 + EndOnSignal::signal();
-    console.note(fmt::format("the run was ended from outside ({}); the session is complete up to there",
+    console.note(fmt::format("the run was ended by {}; the session is complete up to that moment",
                              name_of_signal(EndOnSignal::signal())));
   }
   const Outcome outcome = read_outcome(settings.output, patient, std::move(run));
@@ -115,8 +115,8 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
   if (outcome.run.completed) {
     console.note(fmt::format("the tip touched the {} {:.1f} mm below the skin: the attempt is complete",
                              patient.library.title(*settings.ending), *outcome.run.completed));
-  } else if (!outcome.run.operator_finished && !outcome.run.given_up) {
-    console.note(fmt::format("the longest time of {} s was over while the operator was in phase '{}'",
+  } else if (!outcome.run.operator_finished && !outcome.run.cancelled) {
+    console.note(fmt::format("the run reached the longest time of {} s while the operator was in phase '{}'",
                              settings.longest, outcome.run.last_phase));
   }
   if (settings.realtime) {
@@ -135,24 +135,30 @@ void run_scripted(RunArguments arguments, CommandContext& context) {
 }  // namespace
 
 void add_run_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<RunArguments>();
-  session::RunSettings& settings = arguments->settings;
-  CLI::App* command = add_command(app, "run", "A simulated hand performs the procedure and is recorded", run_footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_text(*command, "--operator", arguments->operator_name,
-           "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture, or an "
-           "operator file (default: the expert of the case's procedure)");
-  add_whole_number(*command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
-                   "What chance is made from: errors of aim, tremor, reaction times");
-  add_switch(*command, "--realtime", settings.realtime, "On the clock instead of as fast as it goes");
-  add_text(*command, "-o,--output", arguments->output, "Session file (default: session-CASE-OPERATOR-SEED.bodkin)");
-  add_switch(*command, "--overwrite", settings.overwrite, "Replace the session file if it exists");
-  add_text(*command, "--entry", arguments->entry, "Where the path begins, x,y,z in LPS mm (default: as planned)");
-  add_text(*command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
-  add_force_options(*command, arguments->forces);
-  add_number(*command, "--max-time", settings.longest, 1.0, 3600.0,
-             "s of simulated time after which the run ends, 1 to 3600");
-  on_run(*command, [arguments, &context] { run_scripted(*arguments, context); });
+  add_command(
+      app, "run", "A simulated hand performs the procedure and is recorded", run_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<RunArguments>();
+        session::RunSettings& settings = arguments->settings;
+        add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+        add_text(
+            command, "--operator", arguments->operator_name,
+            "expert, novice, expert_epidural, expert_lumbar_puncture, expert_to_target, expert_acupuncture, or an "
+            "operator file (default: the expert of the case's procedure)");
+        add_whole_number(command, "--seed", arguments->seed, 0, std::numeric_limits<std::int64_t>::max(),
+                         "Seed of the random numbers: errors of aim, tremor, reaction times");
+        add_switch(command, "--realtime", settings.realtime, "Run in real time instead of as fast as possible");
+        add_text(command, "-o,--output", arguments->output,
+                 "Session file (default: session-CASE-OPERATOR-SEED.bodkin)");
+        add_switch(command, "--overwrite", settings.overwrite, "Replace the session file if it exists");
+        add_text(command, "--entry", arguments->entry,
+                 "Where the path begins, x,y,z in LPS mm (default: as planned)");
+        add_text(command, "--target", arguments->target, "Where it ends, x,y,z in LPS mm (default: as planned)");
+        add_force_options(command, arguments->forces);
+        add_number(command, "--max-time", settings.longest, 1.0, 3600.0,
+                   "s of simulated time after which the run ends, 1 to 3600");
+        on_run(command, [arguments, &context] { run_scripted(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -38,14 +38,14 @@ struct ScoreArguments {
 
 constexpr const char* score_footer = R"(Examples:
   bodkin score session.bodkin                        the verdict, and why
-  bodkin score session.bodkin --procedure epidural   by another procedure than the case names
+  bodkin score session.bodkin --procedure epidural   by the rules of another procedure than the case's
   bodkin --json score session.bodkin                 every metric, for a program
   bodkin score *.bodkin --csv table.csv              one row for each session
 
 Exit code 0: pass or borderline. 3: one of the attempts failed or was dangerous. docs/training.md explains the verdict
 and procedures of your own.)";
 
-// A field of RFC 4180: in quotes where it has to be.
+// A field of RFC 4180: in quotes if necessary.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -81,7 +81,7 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
     const anatomy::CaseDescription description = training::description_of(session);
     const training::Procedure procedure = chosen ? *chosen : training::procedure_of_case(description.procedure.name);
     if (!chosen && procedure.name != description.procedure.name) {
-      console.note(fmt::format("{}: the case names the procedure {}, which is none of Bodkin's; judged as {}", file,
+      console.note(fmt::format("{}: the case names the procedure {}, which Bodkin does not have; judged as {}", file,
                                description.procedure.name, procedure.name));
     }
     const training::RecordedPatient patient =
@@ -113,15 +113,18 @@ void run_score(const ScoreArguments& arguments, CommandContext& context) {
 }  // namespace
 
 void add_score_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<ScoreArguments>();
-  CLI::App* command =
-      add_command(app, "score", "How good an attempt was, by the rules of its procedure", score_footer);
-  add_texts(*command, "SESSION", arguments->sessions, "Files of sessions").required();
-  add_text(*command, "--procedure", arguments->procedure, "Name or file of a procedure (default: the case's)");
-  add_text(*command, "--case", arguments->folder, "Folder of the case (default: the patient that the session keeps)");
-  add_text(*command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
-  add_text(*command, "--csv", arguments->table, "Table to write, a row for each session");
-  on_run(*command, [arguments, &context] { run_score(*arguments, context); });
+  add_command(app, "score", "How good an attempt was, by the rules of its procedure", score_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<ScoreArguments>();
+                add_texts(command, "SESSION", arguments->sessions, "Files of sessions").required();
+                add_text(command, "--procedure", arguments->procedure,
+                         "Name or file of a procedure (default: the case's)");
+                add_text(command, "--case", arguments->folder,
+                         "Folder of the case (default: the patient that the session keeps)");
+                add_text(command, "--experts", arguments->experts, "Table of attempts of experts to compare with");
+                add_text(command, "--csv", arguments->table, "Table to write, a row for each session");
+                on_run(command, [arguments, &context] { run_score(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -30,7 +30,7 @@ std::optional<station::SecondChoice> choose_second(const SecondOptions& options,
       session::second_role(options.role.empty() ? "plunger" : options.role);
   if (!role) throw InputError(fmt::format("--second-as is '{}'; expected plunger or probe", options.role));
   if (is_mouse(options.device)) {
-    throw InputError("--second is the mouse, whose window is the needle's; name the mouse as DEVICE");
+    throw InputError("--second is the mouse, which can only hold the needle; name the mouse as DEVICE");
   }
   station::SecondChoice choice{choose_device(options.device), *role};
   const bool same = choice.device.driver == first.driver && choice.device.identity == first.identity;

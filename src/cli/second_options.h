@@ -9,7 +9,7 @@
 
 namespace bodkin::cli {
 
-// What the command line says of a second device.
+// The options of a second device.
 struct SecondOptions {
   DeviceOptions device;
   std::string role;  // "": plunger
@@ -18,8 +18,8 @@ struct SecondOptions {
 // Adds --second, --second-as and --second-settings.
 void add_second_options(CLI::App& command, SecondOptions& options);
 
-// None without --second. Throws InputError for options of a second device without one, an unknown role, the device
-// that is `first` already, and the mouse, whose window belongs to the needle.
+// None without --second. Throws InputError for options of an absent second device, an unknown role, the device
+// `first`, and the mouse, whose window belongs to the needle.
 std::optional<station::SecondChoice> choose_second(const SecondOptions& options, const station::DeviceChoice& first);
 
 }  // namespace bodkin::cli

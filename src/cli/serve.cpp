@@ -17,13 +17,13 @@
 #include "cli/console.h"
 #include "cli/deliver.h"
 #include "cli/end_on_signal.h"
+#include "cli/interruptible_wait.h"
 #include "cli/outcome.h"
 #include "cli/pane_options.h"
 #include "cli/perform_options.h"
 #include "cli/perform_screen.h"
-#include "cli/station_order.h"
+#include "cli/station_requests.h"
 #include "cli/terminal_keys.h"
-#include "cli/wait_for_order.h"
 #include "core/error.h"
 #include "io/case_folder.h"
 #include "training/procedure_file.h"
@@ -36,15 +36,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const serve_footer = R"(Examples:
-  bodkin serve patient simulated                             a simulated hand; any program on this machine may look
+  bodkin serve patient simulated                             a simulated hand; programs on this machine can watch
   bodkin serve patient openhaptics --ultrasound C5-2         the first Touch, and what a probe sees
   bodkin serve patient force_dimension --listen 0.0.0.0      for other machines too
-  bodkin serve patient recorded:mine.bodkin --port 18945     a session again, for a program that shows it
+  bodkin serve patient recorded:mine.bodkin --port 18945     a recorded session, for a program that shows it
   bodkin serve patient openhaptics --trainee t-07            the result goes to the results store
   bodkin serve cases openhaptics --wait --listen 0.0.0.0     waits for a teacher: 'bodkin stations start'
 
 In 3D Slicer: module OpenIGTLinkIF, a client for localhost and port 18944, Active. NeedleTipToReference appears as a
-transform, Image_Reference as a picture, PlannedPath as a model. 'docs/openigtlink.md' has every name, and the commands.
+transform, Image_Reference as an image, PlannedPath as a model. 'docs/openigtlink.md' has every name, and the commands.
 The keys are those of 'bodkin perform'.)";
 
 struct ServeOptions {
@@ -57,33 +57,34 @@ struct ServeOptions {
   std::string trainee, store;
 };
 
-// Until a client asks for a session; nothing when a person ended the program first. `patient`: the name of the
-// station's own case; empty: it has a folder of cases. `trouble`: why the last session that was asked for did not
-// run; empty: it did.
-std::optional<StartOrder> wait_for_order(link::Server& server, StationOrders& orders, const std::string& patient,
-                                         const std::string& trouble, Console& console) {
+// Waits until a client requests a session; nothing if a person ended the program first. `patient`: the name of the
+// station's own case; empty: it has a folder of cases. `trouble`: why the last requested session did not run; empty:
+// it did.
+std::optional<StartRequest> wait_for_start_request(link::Server& server, StationRequests& requests,
+                                                   const std::string& patient, const std::string& trouble,
+                                                   Console& console) {
   std::uint64_t greeted = 0;
   const nlohmann::json state = {
       {"guard", "waiting"}, {"message", "waits for StartProcedure"}, {"case", patient}, {"trouble", trouble}};
   const std::string text = state.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  for (auto told = std::chrono::steady_clock::time_point{}; !WaitForOrder::is_ended();) {
+  for (auto last_report = std::chrono::steady_clock::time_point{}; !InterruptibleWait::is_ended();) {
     const auto now = std::chrono::steady_clock::now();
     if (const link::ServerCounts counts = server.counts();
-        counts.accepted != greeted || now - told > std::chrono::seconds(1)) {
+        counts.accepted != greeted || now - last_report > std::chrono::seconds(1)) {
       greeted = counts.accepted;
-      told = now;
+      last_report = now;
       server.publish({"STRING", "State", link::time_now(), link::string_content(text)}, true);
     }
-    std::optional<StartOrder> order;
+    std::optional<StartRequest> request;
     for (const link::Received& received : server.take()) {
       bool success = false;
       std::string sentence = "the procedure begins";
       try {
-        std::optional<StartOrder> wanted = orders.order_in(received.message);
+        std::optional<StartRequest> wanted = requests.read_request(received.message);
         if (!wanted) continue;
-        if (order) throw InputError("another client was first");
+        if (request) throw InputError("another client was first");
         if (wanted->begins)
-          order = std::move(wanted);
+          request = std::move(wanted);
         else
           sentence = "the case is chosen; StartProcedure or StartRecording begins";
         success = true;
@@ -93,7 +94,7 @@ std::optional<StartOrder> wait_for_order(link::Server& server, StationOrders& or
       server.send(received.client, link::reply_to(received.message, success, sentence, link::time_now()));
     }
     for (const std::string& note : server.take_notes()) console.note(note);
-    if (order) return order;
+    if (request) return request;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return std::nullopt;
@@ -113,14 +114,14 @@ struct Served {
   std::optional<forces::ModelSettings> models;  // of the next session, when clients have changed them
 };
 
-// `models`: in place of the case's.
+// `models`: replace the case's.
 Served serve_session(const PerformOptions& perform, const std::optional<forces::ModelSettings>& models, double rate,
                      link::Server& server, Console& console, CommandContext& context) {
   station::StationOptions options = station_options(perform, console);
   if (models) {
     options.patient.description.haptics = models->haptics;
-    // A deformable body is prepared with its tissues; others change as soon as the session runs, so that it can be
-    // replayed on the case as it is.
+    // A deformable body is prepared with its tissues; other numbers change when the session runs, so that it can be
+    // replayed on the unchanged case.
     if (anatomy::body_of(models->haptics.resistance) != nullptr)
       options.patient.library = anatomy::TissueLibrary(models->tissues);
   }
@@ -149,7 +150,7 @@ Served serve_session(const PerformOptions& perform, const std::optional<forces::
   return {std::move(outcome), std::move(json), feed.commands().wants_again(), feed.commands().models()};
 }
 
-// "a.bodkin", "a-2.bodkin", ...: the first that is not there.
+// The first free name of "a.bodkin", "a-2.bodkin", ...
 std::string free_session(const std::string& wanted) {
   const fs::path path = wanted;
   fs::path name = path;
@@ -158,8 +159,8 @@ std::string free_session(const std::string& wanted) {
   return name.string();
 }
 
-// A session, and one more of the same kind as long as clients ask for Reset. Calls saved(served) after each; returns
-// the last one.
+// A session, and another of the same kind whenever clients request Reset. Calls saved(served) after each; returns the
+// last one.
 template <typename Saved>
 Served serve_until_done(PerformOptions perform, double rate, link::Server& server, Console& console,
                         CommandContext& context, const Saved& saved) {
@@ -174,24 +175,24 @@ Served serve_until_done(PerformOptions perform, double rate, link::Server& serve
   }
 }
 
-void serve_orders(const ServeOptions& arguments, link::Server& server, Console& console, CommandContext& context) {
-  const WaitForOrder until_a_person_ends_it;
+void serve_requests(const ServeOptions& arguments, link::Server& server, Console& console, CommandContext& context) {
+  const InterruptibleWait interruptible;
   nlohmann::ordered_json sessions = nlohmann::ordered_json::array();
-  StationOrders orders(arguments.perform.folder);
+  StationRequests requests(arguments.perform.folder);
   const bool has_own_case = fs::exists(fs::path(arguments.perform.folder) / "case.xml");
   const std::string patient = has_own_case ? io::read_case_description(arguments.perform.folder).name : "";
   std::string trouble;
   while (context.exit_code == 0) {
     deliver_waiting(arguments.store, console);
-    const std::optional<StartOrder> order = wait_for_order(server, orders, patient, trouble, console);
-    if (!order) break;
+    const std::optional<StartRequest> request = wait_for_start_request(server, requests, patient, trouble, console);
+    if (!request) break;
     PerformOptions perform = arguments.perform;
-    perform.folder = order->folder;
+    perform.folder = request->folder;
     const fs::path output = arguments.perform.output;
-    perform.output = free_session(order->file.empty() ? output : output.parent_path() / order->file);
+    perform.output = free_session(request->file.empty() ? output : output.parent_path() / request->file);
     trouble.clear();
     try {
-      const std::string& trainee = order->trainee.empty() ? arguments.trainee : order->trainee;
+      const std::string& trainee = request->trainee.empty() ? arguments.trainee : request->trainee;
       serve_until_done(
           perform, arguments.rate, server, console, context, [&](const Served& served, const std::string& file) {
             const training::Grade verdict = served.outcome.score.verdict;
@@ -199,7 +200,7 @@ void serve_orders(const ServeOptions& arguments, link::Server& server, Console& 
             if (!trainee.empty()) deliver_result(file, trainee, arguments.store, console);
           });
     } catch (const std::runtime_error& error) {
-      trouble = error.what();  // of this order alone: the station waits for the next one
+      trouble = error.what();  // only of this request: the station waits for the next one
       console.note(trouble);
     }
   }
@@ -217,8 +218,8 @@ void run_serve(const ServeOptions& arguments, CommandContext& context) {
   console.note(fmt::format("OpenIGTLink at {}, port {}", settings.address, server.port()));
   if (server.is_exposed())
     console.note(
-        "every machine that reaches this one can look and give commands; without --listen only this one can");
-  if (arguments.wait) return serve_orders(arguments, server, console, context);
+        "every machine that can reach this one can watch and give commands; without --listen only this one can");
+  if (arguments.wait) return serve_requests(arguments, server, console, context);
   if (!arguments.trainee.empty()) deliver_waiting(arguments.store, console);
   const auto deliver = [&](const Served&, const std::string& file) {
     if (!arguments.trainee.empty()) deliver_result(file, arguments.trainee, arguments.store, console);
@@ -238,19 +239,21 @@ void run_serve(const ServeOptions& arguments, CommandContext& context) {
 }  // namespace
 
 void add_serve_command(CLI::App& app, CommandContext& context) {
-  auto options = std::make_shared<ServeOptions>();
-  CLI::App* command = add_command(
-      app, "serve", "The same without a window, shown to 3D Slicer, PLUS and others over OpenIGTLink", serve_footer);
-  add_perform_options(*command, options->perform);
-  add_text(*command, "--listen", options->address, "Address of this machine at which clients are let in");
-  add_whole_number(*command, "--port", options->port, 0, 65535, "Port, 0 to 65535; 0 is any free one");
-  add_number(*command, "--rate", options->rate, 1.0, 240.0, "Poses per second, 1 to 240");
-  add_whole_number(*command, "--clients", options->clients, 1, 64, "Clients at once, 1 to 64");
-  add_switch(*command, "--wait", options->wait,
-             "Wait for StartProcedure of a client, again and again; CASE may be a folder of cases");
-  add_text(*command, "--trainee", options->trainee, "Label of who performs: the result is kept");
-  add_text(*command, "--store", options->store, "File or postgresql:// address of the results store");
-  on_run(*command, [options, &context] { run_serve(*options, context); });
+  add_command(app, "serve", "Perform without a window; 3D Slicer, PLUS and others see it over OpenIGTLink",
+              serve_footer, [&context](CLI::App& command) {
+                auto options = std::make_shared<ServeOptions>();
+                add_perform_options(command, options->perform);
+                add_text(command, "--listen", options->address,
+                         "Address of this machine at which it accepts clients");
+                add_whole_number(command, "--port", options->port, 0, 65535, "Port, 0 to 65535; 0 is any free one");
+                add_number(command, "--rate", options->rate, 1.0, 240.0, "Poses per second, 1 to 240");
+                add_whole_number(command, "--clients", options->clients, 1, 64, "Clients at once, 1 to 64");
+                add_switch(command, "--wait", options->wait,
+                           "Wait for StartProcedure of a client, again and again; CASE may be a folder of cases");
+                add_text(command, "--trainee", options->trainee, "Label of who performs: the result is kept");
+                add_text(command, "--store", options->store, "File or postgresql:// address of the results store");
+                on_run(command, [options, &context] { run_serve(*options, context); });
+              });
 }
 
 }  // namespace bodkin::cli

@@ -13,7 +13,7 @@ namespace bodkin::cli {
 
 namespace {
 
-// A value as JSON: what is a number or a truth value there stays one; infinity is "INF", as in files.
+// A value as JSON: numbers and truth values stay such; infinity is "INF", as in files.
 template <typename Value>
 nlohmann::json value_json(const Value& value) {
   if constexpr (std::floating_point<Value>) {
@@ -26,8 +26,8 @@ nlohmann::json value_json(const Value& value) {
   }
 }
 
-// All parameters of settings under the names that their table gives them, with their units in the names as in files;
-// settings inside are objects, elements of which there may be several are arrays of objects.
+// All parameters of settings under their table names, which include units, as in files; nested settings are objects,
+// repeatable elements are arrays of objects.
 template <Parameterized Settings>
 nlohmann::json json_of(const Settings& settings) {
   nlohmann::json result = nlohmann::json::object();
@@ -56,7 +56,7 @@ nlohmann::json json_of(const Settings& settings) {
   return result;
 }
 
-// Of a model that another program registered: the values are texts, as its settings are not known here.
+// For a model registered by another program: the values are texts, because its settings are not known here.
 nlohmann::json json_of(const anatomy::RegisteredSettings& settings) {
   nlohmann::json result = nlohmann::json::object();
   for (const auto& [name, value] : settings.values) result[name] = value;

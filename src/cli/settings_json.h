@@ -6,9 +6,9 @@
 
 namespace bodkin::cli {
 
-// Every parameter under the name that its table gives it, with its unit in the name as in files; settings inside are
-// objects, elements of which there may be several are arrays of objects. Of a model that another program registered
-// the values are texts, for its table is not known here.
+// Every parameter under the name in its table, with its unit in the name as in files; nested settings are objects,
+// repeatable elements are arrays of objects. For a model registered by another program the values are texts, because
+// its table is not known here.
 nlohmann::json settings_json(const anatomy::Needle& needle);
 nlohmann::json settings_json(const anatomy::DeviceLimits& device);
 nlohmann::json settings_json(const anatomy::TissueProperties& tissue);

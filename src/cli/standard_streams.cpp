@@ -21,7 +21,7 @@ bool write_now(std::FILE* stream, std::string_view text) noexcept {
 
 }  // namespace
 
-void survive_closed_pipes() noexcept {
+void ignore_broken_pipes() noexcept {
   std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -30,12 +30,12 @@ struct StationsArguments {
 using Watches = std::vector<std::unique_ptr<link::StationWatch>>;
 
 constexpr const char* stations_footer = R"(Examples:
-  bodkin stations list room1 room2 room3:18945             what each of them does
+  bodkin stations list room1 room2 room3:18945             what each station does
   bodkin stations start room1 room2 --case lumbar          the same procedure on all, at once
   bodkin stations stop room1 room2                         the sessions end and are saved
 
-A station is 'bodkin serve CASE DEVICE --wait --listen 0.0.0.0' on its computer. Exit code 3: not all of them did it.
-'bodkin teacher --station room1' shows them live in the browser.)";
+A station is 'bodkin serve CASE DEVICE --wait --listen 0.0.0.0' on its computer. Exit code 3: some stations did not
+carry it out. 'bodkin teacher --station room1' shows them live in the browser.)";
 
 Watches watch_all(const std::vector<std::string>& stations) {
   Watches watches;
@@ -44,7 +44,7 @@ Watches watch_all(const std::vector<std::string>& stations) {
   return watches;
 }
 
-// Waits until it is so for each, at most so many seconds.
+// Waits at most so many seconds until the condition holds for each.
 void wait_for_all(const Watches& watches, double seconds,
                   const std::function<bool(const link::StationView&)>& is_so) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
@@ -58,7 +58,7 @@ void wait_for_all(const Watches& watches, double seconds,
 std::string state_of(const link::StationView& view) {
   if (view.status.state != link::ClientState::connected)
     return view.status.sentence.empty() ? "does not answer" : view.status.sentence;
-  if (view.guard.empty()) return "connected, and says nothing of a session";
+  if (view.guard.empty()) return "connected, but reports no session";
   if (!view.runs) return "waits for a procedure";
   const double depth = view.moments.empty() ? 0.0 : view.moments.back().depth;
   const double force = view.moments.empty() ? 0.0 : view.moments.back().force;
@@ -141,7 +141,7 @@ void add_stations_command(CLI::App& app, CommandContext& context) {
   CLI::App* group = add_command(app, "stations", "Stations in other rooms: list, start, stop", stations_footer);
   need_command(*group);
   const auto fresh = [] { return std::make_shared<StationsArguments>(); };
-  add_stations_one(*group, context, fresh(), "list", "What each of them does", run_stations_list);
+  add_stations_one(*group, context, fresh(), "list", "List what each station does", run_stations_list);
   const auto start = fresh();
   CLI::App* command =
       add_stations_one(*group, context, start, "start", "Starts a procedure on all", run_stations_start);

@@ -30,10 +30,11 @@ struct TeacherArguments {
 constexpr const char* teacher_footer = R"(Examples:
   bodkin teacher                                       open the address that it prints in a browser
   bodkin teacher --store postgresql://teacher@server/bodkin
-  bodkin teacher --address 0.0.0.0                     for other computers too; the address then has a token
+  bodkin teacher --address 0.0.0.0                     also for other computers; the address then has a token
   bodkin teacher --station room1 --station room2:18945 these stations live, at /stations
 
-The page shows trainees, learning curves and attempts, and changes nothing; 'bodkin stations start' starts a procedure. Ctrl+C ends it. docs/results.md explains it.)";
+The page shows trainees, learning curves and attempts, and changes nothing; 'bodkin stations start' starts a procedure.
+Ctrl+C ends the page. docs/results.md explains it.)";
 
 report::StationCard card_of(const link::StationView& view) {
   report::StationCard card;
@@ -47,7 +48,7 @@ report::StationCard card_of(const link::StationView& view) {
   card.tissue = view.tissue;
   card.event = view.event;
   card.guard = view.guard;
-  for (const link::StationMoment& moment : view.moments) card.forces.emplace_back(moment.time, moment.force);
+  for (const link::StationState& moment : view.moments) card.forces.emplace_back(moment.time, moment.force);
   for (const link::StationLayer& layer : view.layers) card.layers.push_back({layer.tissue, layer.colour, layer.from});
   card.path = view.path;
   if (!view.moments.empty()) {
@@ -86,22 +87,24 @@ void run_teacher(const TeacherArguments& arguments, const CommandContext& contex
   console.line(fmt::format("{} shows {}; Ctrl+C ends it", url, store.place()));
   console.json(nlohmann::ordered_json{{"url", url}, {"store", store.place()}}.dump(2));
   if (!token.empty())
-    console.note("nothing on the way to other computers is encrypted; use it in a network that you trust");
+    console.note("connections from other computers are not encrypted; use it only in a network that you trust");
   server.run(true);
 }
 
 }  // namespace
 
 void add_teacher_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<TeacherArguments>();
-  CLI::App* command =
-      add_command(app, "teacher", "A page in the browser: trainees, curves, attempts", teacher_footer);
-  add_text(*command, "--store", arguments->store, "File or postgresql:// address of the store");
-  add_text(*command, "--address", arguments->address,
-           "IP address to answer at (default: 127.0.0.1, this computer alone)");
-  add_texts(*command, "--station", arguments->stations, "HOST or HOST:PORT of a 'bodkin serve' to show live");
-  add_whole_number(*command, "--port", arguments->port, 0, 65535, "Port (default: 8737); 0: any that is free");
-  on_run(*command, [arguments, &context] { run_teacher(*arguments, context); });
+  add_command(
+      app, "teacher", "A page in the browser: trainees, curves, attempts", teacher_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<TeacherArguments>();
+        add_text(command, "--store", arguments->store, "File or postgresql:// address of the store");
+        add_text(command, "--address", arguments->address,
+                 "IP address to listen at (default: 127.0.0.1, this computer alone)");
+        add_texts(command, "--station", arguments->stations, "HOST or HOST:PORT of a 'bodkin serve' to show live");
+        add_whole_number(command, "--port", arguments->port, 0, 65535, "Port (default: 8737); 0: any that is free");
+        on_run(command, [arguments, &context] { run_teacher(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

@@ -5,8 +5,8 @@
 
 namespace bodkin::cli {
 
-// Single keys from a terminal, without Enter, for as long as this lives; the terminal is then as it was. Where
-// standard input is no terminal there are none.
+// Reads single keys from a terminal, without Enter, during the lifetime of this object; then restores the terminal.
+// No keys if standard input is no terminal.
 class TerminalKeys {
  public:
   TerminalKeys();
@@ -14,9 +14,9 @@ class TerminalKeys {
   TerminalKeys(const TerminalKeys&) = delete;
   TerminalKeys& operator=(const TerminalKeys&) = delete;
 
-  // There is a terminal.
+  // Standard input is a terminal.
   bool are_there() const noexcept { return before_ != nullptr; }
-  // The next key that was pressed; does not wait.
+  // The next pressed key; does not wait.
   std::optional<char> next();
 
  private:

@@ -27,16 +27,16 @@ struct TrackArguments {
 };
 
 constexpr const char* track_footer = R"(Examples:
-  bodkin track footage                              status of every body, and errors where the truth is known
+  bodkin track footage                              status of every body, and errors if the true poses are known
   bodkin track footage --csv poses.csv              every pose of every picture
   bodkin track pictures --camera camera.json --bodies bodies.json
   bodkin track video.mp4 --camera camera.json       a video, each picture with its own time
-  bodkin track /dev/video0 --camera camera.json     a camera, a line a second, until Ctrl-C
+  bodkin track /dev/video0 --camera camera.json     a camera, one line per second, until Ctrl-C
 
 A pose is ok, uncertain (picture and model disagree, or two poses explain it nearly as well) or lost. The error is that of
 the body's tip. docs/augmented-reality.md says how poses are found.)";
 
-// What became of one body over the footage.
+// Tracking result of one body over the footage.
 struct BodySummary {
   int ok = 0, uncertain = 0, lost = 0;
   std::vector<double> errors, predicted;  // mm
@@ -68,7 +68,7 @@ std::string table_head() {
   return head + "\n";
 }
 
-// Counts a pose, and gives its row of the table. `truth`: null where it is not known.
+// Counts a pose, and returns its row of the table. `truth`: null if unknown.
 std::string row_of(double time, const tracking::MarkerBody& body, const tracking::TrackedPose& pose,
                    const Pose* truth, BodySummary& summary) {
   std::string row = fmt::format("{:.6f},{},{},", time, body.name, name_of(pose.status));
@@ -95,7 +95,7 @@ std::string row_of(double time, const tracking::MarkerBody& body, const tracking
   return row + "\n";
 }
 
-// What a live camera sees, on one line.
+// The detections of a live camera, on one line.
 std::string live_line(const std::vector<tracking::MarkerBody>& bodies,
                       const std::vector<tracking::TrackedPose>& poses) {
   std::string line;
@@ -120,7 +120,7 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
   const std::vector<std::string> known = opened.source->bodies();
   tracking::MarkerWatch markers(arguments.footage.source);
   int pictures = 0;
-  double said = -1e9;
+  double last_report = -1e9;
   std::string warning;
   for_each_picture(*opened.source, arguments.footage, console, "tracking", [&](const tracking::SourcePicture& frame) {
     const std::vector<tracking::TrackedPose>& poses = tracker.track(frame.grey, frame.time);
@@ -135,8 +135,8 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
           truth == known.end() ? nullptr : &frame.camera_from_body[static_cast<std::size_t>(truth - known.begin())];
       table += row_of(frame.time, body, poses[b], place, summaries[b]);
     }
-    if (opened.source->live() && frame.time - said >= 1.0) {
-      said = frame.time;
+    if (opened.source->live() && frame.time - last_report >= 1.0) {
+      last_report = frame.time;
       console.line(live_line(opened.bodies, poses));
       if (!warning.empty()) console.note(warning);
       if (const std::string why = markers.warning(); !why.empty()) console.note(why);
@@ -175,11 +175,13 @@ void run_track(const TrackArguments& arguments, const CommandContext& context) {
 }  // namespace
 
 void add_track_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<TrackArguments>();
-  CLI::App* command = add_command(app, "track", "Where marker bodies are in the pictures of a camera", track_footer);
-  add_footage_options(*command, arguments->footage);
-  add_text(*command, "--csv", arguments->csv, "File for every pose of every picture");
-  on_run(*command, [arguments, &context] { run_track(*arguments, context); });
+  add_command(app, "track", "Where marker bodies are in the pictures of a camera", track_footer,
+              [&context](CLI::App& command) {
+                auto arguments = std::make_shared<TrackArguments>();
+                add_footage_options(command, arguments->footage);
+                add_text(command, "--csv", arguments->csv, "File for every pose of every picture");
+                on_run(command, [arguments, &context] { run_track(*arguments, context); });
+              });
 }
 
 }  // namespace bodkin::cli

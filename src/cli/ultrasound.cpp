@@ -15,14 +15,14 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/json_values.h"
-#include "cli/ultrasound_beside.h"
 #include "cli/ultrasound_deformed.h"
 #include "cli/ultrasound_options.h"
+#include "cli/ultrasound_reference.h"
 #include "cli/ultrasound_sweep.h"
 #include "core/error.h"
 #include "core/files.h"
 #include "imaging/png_file.h"
-#include "imaging/ultrasound_screen/machine_picture.h"
+#include "imaging/ultrasound_screen/scanner_image.h"
 #include "io/case_folder.h"
 
 namespace bodkin::cli {
@@ -35,26 +35,26 @@ struct UltrasoundArguments {
   std::string folder, output;
   UltrasoundOptions options;
   SweepOptions sweep;
-  BesideOptions beside;
+  ReferenceOptions reference;
   bool plain = false, ct = false, live = false, deformed = false;
 };
 
 constexpr const char* ultrasound_footer = R"(Examples:
-  bodkin ultrasound patient                                  beside the midline, towards the planned target
+  bodkin ultrasound patient                                  next to the midline, towards the planned target
   bodkin ultrasound patient --view transverse --at L3_L4 --ct                with the CT in the same plane
   bodkin ultrasound patient --at kidney_left --from left --depth 140 -o kidney.png
   bodkin ultrasound patient --probe L14-5 --view needle --needle --needle-depth 40
-  bodkin ultrasound patient --view needle --needle --deformed                tissue as the needle draws it along
+  bodkin ultrasound patient --view needle --needle --deformed                the tissue as the needle moves it
   bodkin ultrasound patient --face 15,92,10 --look=-0.1,-1,0 --marked 0,0,1 --press 4
   bodkin ultrasound patient --tilt=-20,20 --frames 80 -o fan.igs.mha         a tracked sequence for 3D Slicer
   bodkin ultrasound patient --sweep-to 15,92,60 --on-skin -o sweep.mp4       a video (needs ffmpeg)
   bodkin ultrasound patient --sweep poses.csv -o frames                      a folder of pictures
-  bodkin ultrasound patient --probe L14-5 --beside real.mha:3 --beside-pixel 0.08   a real picture beside it
+  bodkin ultrasound patient --probe L14-5 --beside real.mha:3 --beside-pixel 0.08   a real picture next to it
   bodkin ultrasound patient --live                                           the probe in your hand, in a window
 
 Coordinates are LPS, mm. A value that starts with a minus sign needs an equals sign: --at=-5,95,3)";
 
-// The name of a case as the beginning of a file's name.
+// A case's name as the beginning of a file name.
 std::string scan_file_name(const std::string& name) {
   std::string safe;
   for (const char c : name) {
@@ -64,21 +64,21 @@ std::string scan_file_name(const std::string& name) {
   return (safe.empty() ? "case" : safe) + "-ultrasound";
 }
 
-std::string needle_words(const imaging::NeedleInSound& needle, const anatomy::NeedlePath& path) {
+std::string needle_words(const imaging::NeedleInUltrasound& needle, const anatomy::NeedlePath& path) {
   const double depth = path.direction().dot(needle.pose.translation() - path.entry);
   return fmt::format("{} G {:.0f} mm", needle.needle.gauge, depth);
 }
 
-// Everything that is wrong with the command line is said before a file is opened.
+// All errors of the command line are reported before a file is opened.
 void check_combinations(const UltrasoundArguments& arguments) {
   const SweepOptions& sweep = arguments.sweep;
   if (arguments.live && (sweep.any() || arguments.plain || arguments.ct)) {
     throw InputError("--live opens a window; leave out --plain, --ct and the options of a sweep");
   }
-  if (arguments.beside.any() && (arguments.live || sweep.any() || arguments.plain)) {
+  if (arguments.reference.any() && (arguments.live || sweep.any() || arguments.plain)) {
     throw InputError("--beside is for a single picture; leave out --live, --plain and the options of a sweep");
   }
-  if (!arguments.beside.any() && arguments.beside.more()) {
+  if (!arguments.reference.any() && arguments.reference.more()) {
     throw InputError(
         "--beside-pixel, --beside-crop, --beside-window and --window are for a real picture; add --beside FILE");
   }
@@ -92,10 +92,11 @@ void check_combinations(const UltrasoundArguments& arguments) {
   if (sweep.on_skin && sweep.to.empty())
     throw InputError("--on-skin needs the motion of --sweep-to, which is missing");
   if (!sweep.any() && (sweep.frames_given.given() || sweep.rate_given.given())) {
-    throw InputError("--frames and --rate are of a sweep; say which with --sweep-to, --tilt, --rock or --rotate");
+    throw InputError(
+        "--frames and --rate belong to a sweep; describe it with --sweep-to, --tilt, --rock or --rotate");
   }
   if (arguments.deformed && !arguments.options.wanted.needle)
-    throw InputError("--deformed is a needle's work; add --needle");
+    throw InputError("--deformed needs a needle; add --needle");
   if (arguments.deformed && (arguments.live || sweep.any())) {
     throw InputError("--deformed is for a single picture; leave out --live and the options of a sweep");
   }
@@ -118,7 +119,7 @@ void check_picture_name(const UltrasoundArguments& arguments) {
   require_writable(file, "--output");
 }
 
-// The pixels of the written picture to LPS mm: column, row, 0, 1.
+// Matrix from pixels of the written image to LPS mm: column, row, 0, 1.
 nlohmann::json image_to_patient(const imaging::SlicePlane& plane) {
   nlohmann::json rows = nlohmann::json::array();
   const Vec3 across = plane.pixel * plane.right, down = plane.pixel * plane.down;
@@ -148,10 +149,10 @@ struct ScanScene {
   const anatomy::Case& patient;
   const station::UltrasoundChoice& choice;
   Pose pose;
-  std::optional<imaging::NeedleInSound> needle;
+  std::optional<imaging::NeedleInUltrasound> needle;
   std::string needle_words;
   std::optional<DeformedScan> deformed;
-  std::optional<imaging::RealPicture> real;
+  std::optional<imaging::ReferenceImage> real;
 };
 
 nlohmann::json json_of(const imaging::GreyWindow& window, const imaging::GreyStatistics& greys) {
@@ -178,19 +179,19 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, ima
 
   const fs::path file = arguments.output.empty() ? fs::path(scan_file_name(scene.patient.description.name) + ".png")
                                                  : fs::path(arguments.output);
-  imaging::MachinePicture picture;
+  imaging::ScannerImage picture;
   picture.moment = {frame, scene.pose, choice.probe, choice.settings, scene.needle_words};
   picture.mark = choice.mark;
   picture.patient = scene.patient.description.name;
-  std::optional<BesideCompared> compared;
+  std::optional<GreyComparison> compared;
   if (scene.real) {
-    compared = compare_greys(arguments.beside, imaging::grey_of(frame, choice.mark), scene.real->picture);
-    picture.beside = scene.real;
+    compared = compare_greys(arguments.reference, imaging::grey_of(frame, choice.mark), scene.real->picture);
+    picture.reference = scene.real;
     picture.window = {compared->simulated_window, statistics_words(compared->simulated)};
-    picture.beside->window = {compared->real_window, statistics_words(compared->real)};
+    picture.reference->window = {compared->real_window, statistics_words(compared->real)};
   }
   if (arguments.plain) {
-    write_file(file, imaging::encode_png(imaging::grey_picture(frame, choice.mark)));
+    write_file(file, imaging::encode_png(imaging::grey_image(frame, choice.mark)));
   } else {
     if (arguments.ct) {
       std::vector<Vec3> needle;
@@ -199,7 +200,7 @@ void scan_once(const UltrasoundArguments& arguments, const ScanScene& scene, ima
       }
       picture.ct = imaging::ct_panel(scene.patient, picture.moment, choice.mark, needle);
     }
-    const imaging::Canvas drawn = imaging::machine_picture(picture, scene.patient.library);
+    const imaging::Canvas drawn = imaging::draw_scanner_image(picture, scene.patient.library);
     write_file(file, file.extension() == ".svg" ? drawn.svg() : drawn.png(1.0));
   }
 
@@ -286,7 +287,7 @@ void scan_sweep(const UltrasoundArguments& arguments, const ScanScene& scene, st
   std::vector<std::string> words = {"--scan", station::to_json(request)};
   if (!base.empty()) words.insert(words.end(), {"--output", fs::absolute(base).string()});
   words.insert(words.end(), {"--", arguments.folder});
-  become_app(words);
+  exec_app(words);
 }
 
 void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& context) {
@@ -303,7 +304,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     target = sweep_target(arguments.output.empty() ? "sweep.igs.mha" : arguments.output);
     if (arguments.ct && target->kind == SweepKind::sequence) {
       throw InputError(
-          fmt::format("--ct is for pictures and videos, and {} is a sequence of the ultrasound alone; say -o "
+          fmt::format("--ct is for pictures and videos, but {} is a sequence with the ultrasound alone; give -o "
                       "NAME.mp4 or a folder",
                       target->file));
     }
@@ -312,18 +313,18 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     check_picture_name(arguments);
   }
   if (arguments.live) show_live(arguments, request);
-  std::optional<imaging::RealPicture> real;
-  if (arguments.beside.any()) {
-    real = read_real_picture(arguments.beside, choice.probe, choice.mark);
-    match_real_picture(arguments.options, *real, choice);
+  std::optional<imaging::ReferenceImage> real;
+  if (arguments.reference.any()) {
+    real = read_reference_image(arguments.reference, choice.probe, choice.mark);
+    match_reference_image(arguments.options, *real, choice);
   }
 
   const anatomy::Case patient = io::load_case(arguments.folder, console.progress());
-  std::optional<imaging::NeedleInSound> needle = station::needle_of(request, patient);
-  // A file of poses needs no place to begin from, which a crop of a CT may not have.
+  std::optional<imaging::NeedleInUltrasound> needle = station::needle_of(request, patient);
+  // A file of poses needs no start position, which a crop of a CT may lack.
   const imaging::ProbeOnSkin hand =
       poses.empty() ? station::hold_probe(choice, patient) : imaging::ProbeOnSkin(poses.front().pose);
-  const std::string said = needle ? needle_words(*needle, *patient.description.procedure.path) : "";
+  const std::string needle_text = needle ? needle_words(*needle, *patient.description.procedure.path) : "";
   imaging::Ultrasound machine(imaging::acoustic_volume(patient, console.progress()), choice.probe, choice.settings,
                               choice.detail);
   console.clear_bar();
@@ -334,7 +335,7 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
     needle = deformed->needle;
     console.clear_bar();
   }
-  const ScanScene scene{patient, choice, hand.pose(), needle, said, std::move(deformed), std::move(real)};
+  const ScanScene scene{patient, choice, hand.pose(), needle, needle_text, std::move(deformed), std::move(real)};
   if (sweeping) {
     scan_sweep(arguments, scene, std::move(poses), *target, machine, console);
   } else {
@@ -345,21 +346,24 @@ void run_ultrasound(const UltrasoundArguments& arguments, const CommandContext& 
 }  // namespace
 
 void add_ultrasound_command(CLI::App& app, CommandContext& context) {
-  auto arguments = std::make_shared<UltrasoundArguments>();
-  CLI::App* command =
-      add_command(app, "ultrasound", "What an ultrasound probe shows of a patient", ultrasound_footer);
-  add_text(*command, "CASE", arguments->folder, "Folder of the case").required();
-  add_ultrasound_options(*command, arguments->options);
-  add_text(*command, "-o,--output", arguments->output,
-           "The picture, .png or .svg (default: NAME-ultrasound.png); of a sweep .mha, a video or a folder");
-  add_switch(*command, "--deformed", arguments->deformed,
-             "With --needle, of a case with a mesh: the tissue as the needle has moved it");
-  add_switch(*command, "--plain", arguments->plain, "The pixels alone, nothing around them");
-  add_switch(*command, "--ct", arguments->ct, "The same plane of the CT beside it");
-  add_beside_options(*command, arguments->beside);
-  add_sweep_options(*command, arguments->sweep);
-  add_switch(*command, "--live", arguments->live, "The probe in your hand: a window for mouse and keyboard");
-  on_run(*command, [arguments, &context] { run_ultrasound(*arguments, context); });
+  add_command(
+      app, "ultrasound", "What an ultrasound probe shows of a patient", ultrasound_footer,
+      [&context](CLI::App& command) {
+        auto arguments = std::make_shared<UltrasoundArguments>();
+        add_text(command, "CASE", arguments->folder, "Folder of the case").required();
+        add_ultrasound_options(command, arguments->options);
+        add_text(command, "-o,--output", arguments->output,
+                 "The picture, .png or .svg (default: NAME-ultrasound.png); of a sweep .mha, a video or a folder");
+        add_switch(command, "--deformed", arguments->deformed,
+                   "With --needle and a case with a mesh: show the tissue as the needle has moved it");
+        add_switch(command, "--plain", arguments->plain,
+                   "Write the ultrasound pixels alone, without scales and texts");
+        add_switch(command, "--ct", arguments->ct, "Show the same plane of the CT next to it");
+        add_reference_options(command, arguments->reference);
+        add_sweep_options(command, arguments->sweep);
+        add_switch(command, "--live", arguments->live, "The probe in your hand: a window for mouse and keyboard");
+        on_run(command, [arguments, &context] { run_ultrasound(*arguments, context); });
+      });
 }
 
 }  // namespace bodkin::cli

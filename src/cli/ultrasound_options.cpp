@@ -15,7 +15,7 @@ void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options) {
   add_text(command, "--marked", options.wanted.marked,
            "Direction of its marked side, x,y,z (default: 0,0,1, the head)");
   add_text(command, "--pose", options.wanted.pose,
-           "12 or 16 numbers row by row, probe to LPS mm, instead of all that");
+           "12 or 16 numbers row by row, probe to LPS mm, instead of the options above");
   options.press_given = add_number(command, "--press", options.press, -60.0, 40.0,
                                    "mm that it is pressed in, -60 to 40 (default: 3, or 0 with --face or --pose)")
                             .without_default();

@@ -6,16 +6,16 @@
 
 namespace bodkin::cli {
 
-// Probe, its place and the machine's knobs as the command line gives them.
+// Probe, its position and the machine's knobs, from the command line.
 struct UltrasoundOptions {
-  station::UltrasoundRequest wanted;  // but for the numbers below, which may be absent
+  station::UltrasoundRequest wanted;  // except the numbers below, which may be absent
   double press = 3.0, depth = 0.0, focus = 0.0, frequency = 0.0, needle_depth = 0.0;
   Argument press_given, depth_given, focus_given, frequency_given, size_given, needle_depth_given;
 };
 
 void add_ultrasound_options(CLI::App& command, UltrasoundOptions& options);
 
-// All that was given.
+// All given options.
 station::UltrasoundRequest request_of(const UltrasoundOptions& options);
 
 }  // namespace bodkin::cli

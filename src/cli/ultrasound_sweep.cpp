@@ -14,7 +14,7 @@
 #include "core/files.h"
 #include "core/parse_numbers.h"
 #include "imaging/png_file.h"
-#include "imaging/ultrasound_screen/machine_picture.h"
+#include "imaging/ultrasound_screen/scanner_image.h"
 #include "imaging/ultrasound_screen/sequence_file.h"
 #include "io/csv_rows.h"
 #include "io/resources.h"
@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t largest_sweep_file = std::size_t{64} << 20U;  // bytes
-constexpr std::size_t largest_sweep = std::size_t{3} << 30U;        // bytes of pixels that are held in memory
+constexpr std::size_t largest_sweep = std::size_t{3} << 30U;        // bytes of pixels held in memory
 constexpr std::array<const char*, 4> video_endings = {".mp4", ".webm", ".avi", ".gif"};
 
 imaging::SweepAngle parse_angle(const std::string& text, const std::string& option) {
@@ -36,7 +36,7 @@ imaging::SweepAngle parse_angle(const std::string& text, const std::string& opti
   return {ends[0] * degree, ends[1] * degree};
 }
 
-// "%04d" of a file's name as the place where it begins, its length and its digits; nothing when there is none.
+// "%04d" of a file's name as its position, its length and its digits; nothing if there is none.
 struct NumberPlace {
   std::size_t begin = 0, length = 0;
   int digits = 0;
@@ -62,7 +62,7 @@ std::string numbered(const std::string& pattern, std::size_t number) {
 
 void require_ffmpeg() {
   if (io::run_program({"ffmpeg", "-hide_banner", "-version"}, "", "ffmpeg").exit_code != 0) {
-    throw SystemError("the program 'ffmpeg' does not run; install it anew with: apt-get install --reinstall ffmpeg");
+    throw SystemError("the program 'ffmpeg' does not run; reinstall it with: apt-get install --reinstall ffmpeg");
   }
 }
 
@@ -92,20 +92,20 @@ class SweepPictures {
   explicit SweepPictures(const SweepScene& scene) : scene_(scene) {}
 
   imaging::ImageRgb picture(const imaging::UltrasoundFrame& frame, const Pose& pose) {
-    const imaging::MarkSide mark = scene_.choice->mark;
-    if (scene_.plain) return imaging::grey_picture(frame, mark);
-    imaging::MachinePicture picture;
+    const imaging::OrientationMarkerSide mark = scene_.choice->mark;
+    if (scene_.plain) return imaging::grey_image(frame, mark);
+    imaging::ScannerImage picture;
     picture.moment = {frame, pose, scene_.choice->probe, scene_.choice->settings, scene_.needle_words};
     picture.mark = mark;
     picture.patient = scene_.patient->description.name;
     picture.touch = false;
     if (scene_.ct) add_ct(picture);
-    return imaging::machine_picture(picture, scene_.patient->library).pixels(1.0);
+    return imaging::draw_scanner_image(picture, scene_.patient->library).pixels(1.0);
   }
 
  private:
-  void add_ct(imaging::MachinePicture& picture) {
-    const imaging::MarkSide mark = picture.mark;
+  void add_ct(imaging::ScannerImage& picture) {
+    const imaging::OrientationMarkerSide mark = picture.mark;
     std::vector<Vec3> needle;
     if (scene_.needle) {
       needle = {scene_.patient->description.procedure.path->entry, scene_.needle->pose.translation()};
@@ -237,7 +237,8 @@ std::vector<imaging::SweepPose> read_sweep(const std::string& file) {
     }
     poses.push_back({time, station::parse_pose(numbers, fmt::format("{}:{}", file, row.line))});
   }
-  if (poses.empty()) throw InputError(fmt::format("{}: there is no pose in it, expected rows of 13 numbers", file));
+  if (poses.empty())
+    throw InputError(fmt::format("{}: the file contains no pose, expected rows of 13 numbers", file));
   return poses;
 }
 

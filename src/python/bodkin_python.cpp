@@ -1,5 +1,5 @@
-// The Python module `bodkin`: patients and the haptic tick, for models that one plays with. docs/python.md has the
-// whole interface.
+// The Python module `bodkin`: patients and the haptic tick, for experiments with models. docs/python.md describes the
+// interface.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -47,7 +47,7 @@ Pose pose_of(const Eigen::Matrix4d& matrix) {
   const Mat3 turn = matrix.topLeftCorner<3, 3>();
   if (!matrix.allFinite() || !(turn.transpose() * turn).isIdentity(tolerance) || turn.determinant() < 0.0)
     throw InputError(
-        "the pose is no rigid 4 x 4 matrix, expected a rotation and a translation in mm; see needle_pose()");
+        "the pose is not a rigid 4 x 4 matrix, expected a rotation and a translation in mm; see needle_pose()");
   Pose pose = Pose::Identity();
   pose.linear() = turn;
   pose.translation() = matrix.topRightCorner<3, 1>();
@@ -77,7 +77,7 @@ py::list events_of(const simulation::TickOutput& output, const anatomy::TissueLi
   return events;
 }
 
-// The tick of one patient, which it keeps.
+// The tick of one patient, whose data it owns.
 class Tick {
  public:
   explicit Tick(std::shared_ptr<Patient> patient) : patient_(std::move(patient)) {

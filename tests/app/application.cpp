@@ -1,5 +1,4 @@
-// The window is painted into memory: no display is needed. What it would leave in the person's folders stays in one
-// of its own.
+// The window is painted into memory: no display is needed. Its files go into a separate folder, not the user's.
 #include <QApplication>
 #include <QStandardPaths>
 #include <filesystem>

@@ -11,8 +11,7 @@
 namespace bodkin::app {
 namespace {
 
-// Whether this machine is quick enough is not asked: only that everything is measured, and the needle and the camera
-// are really moved.
+// This machine's speed is not tested: only that everything is measured, and the needle and the camera really move.
 TEST(Benchmark, measures_every_row_of_the_real_window) {
   MainWindow window(data_folder());
   window.resize(1280, 720);

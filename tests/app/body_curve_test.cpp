@@ -1,5 +1,5 @@
-// The curve of a patient whose tissue deforms, among the numbers of his model: it is that of the tick that a hand
-// feels, and his body is prepared only when something has changed that it is made of.
+// The curve of a patient with a deformable body, on the page of model settings: it is that of the real tick, and the
+// body is prepared only when one of its inputs has changed.
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -26,7 +26,7 @@ namespace {
 
 class BodyCurve : public WindowFixture {
  protected:
-  // The built-in patient with a block of tissue about his path that deforms.
+  // The built-in patient with a deformable block of tissue around the path.
   void open_deformable() {
     ASSERT_TRUE(start());
     const std::filesystem::path from = window_->practice().patient()->folder;
@@ -57,14 +57,14 @@ class BodyCurve : public WindowFixture {
     ASSERT_TRUE(wait([&] { return page_->model() != nullptr; }, 60));
   }
   std::string figures() { return find<QLabel>("models.figures")->text().toStdString(); }
-  // N, what the page says of the solid line; waits for a curve that is not the one of `other`.
+  // N, the page's value for the solid line; waits for a curve other than that of `other`.
   double strongest(const std::string& other) {
     const auto is_there = [&] { return figures() != other && figures().find("strongest ") != std::string::npos; };
     EXPECT_TRUE(wait(is_there, 60)) << figures() << find<QLabel>("models.line")->text().toStdString();
     const std::size_t at = figures().find("strongest ");
     return at == std::string::npos ? 0.0 : std::stod(figures().substr(at + std::string("strongest ").size()));
   }
-  // The same by the command's way: read the case, prepare the body, insert the needle.
+  // The same as in the command: read the case, prepare the body, insert the needle.
   double inserted(const std::function<void(anatomy::Case&)>& change) {
     anatomy::Case patient = io::load_case(folder_);
     change(patient);
@@ -92,7 +92,7 @@ TEST_F(BodyCurve, is_drawn_in_the_window_and_follows_the_numbers) {
   EXPECT_NEAR(strongest({}), inserted([](auto&) {}), 0.006) << "printed to a hundredth";
   EXPECT_NE(find<ProfileChart>("models.chart")->grab().toImage(), empty);
 
-  // Friction is felt by the same body.
+  // Friction acts with the same body.
   std::string before = figures();
   choose_step("Fat: friction");
   find<QDoubleSpinBox>("models.value")->setValue(0.2);
@@ -105,7 +105,7 @@ TEST_F(BodyCurve, is_drawn_in_the_window_and_follows_the_numbers) {
               }),
               0.006);
 
-  // A stiffer body is another one.
+  // A stiffer body is a new one.
   before = figures();
   choose_step("Fat: friction");
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -120,13 +120,13 @@ TEST_F(BodyCurve, is_drawn_in_the_window_and_follows_the_numbers) {
       0.006);
 }
 
-// Of the same push, the slices know from a lattice what the picture in 3-D knows from the skin's own points.
+// For the same push, the slices' lattice agrees with the 3-D picture's skin points.
 TEST_F(BodyCurve, slices_of_the_attempt_show_the_tissue_that_the_needle_pushes) {
   open_deformable();
   window_->show_page(PageId::practise);
   auto& view = window_->findChild<PractisePage*>()->view3d();
   ASSERT_TRUE(wait([&] { return view.is_ready() && window_->practice().state() == State::ready; }, 60));
-  // What the picture in 3-D wants to know is asked for from the next attempt on.
+  // The points of the 3-D picture are requested from the next attempt on.
   key(Qt::Key_A);
   ASSERT_TRUE(
       wait([&] { return window_->practice().state() == State::ready && frame().displacements.size() > 3; }, 60));
@@ -159,7 +159,7 @@ TEST_F(BodyCurve, slices_of_the_attempt_show_the_tissue_that_the_needle_pushes) 
   QObject::disconnect(connection);
 }
 
-// More than 15 mm from where the picture in 3-D was asked for, other points are asked for while the needle is in.
+// More than 15 mm from the requested place, other points are requested while the needle is in.
 TEST_F(BodyCurve, the_picture_in_3d_goes_with_a_needle_that_enters_elsewhere) {
   open_deformable();
   window_->show_page(PageId::practise);
@@ -203,7 +203,7 @@ TEST_F(BodyCurve, the_picture_in_3d_goes_with_a_needle_that_enters_elsewhere) {
   QObject::disconnect(connection);
 }
 
-// It is said while the body is prepared, and only then.
+// The message is shown only during the preparation of the body.
 TEST_F(BodyCurve, prepares_the_body_anew_only_when_it_is_another) {
   open_deformable();
   const std::shared_ptr<const OpenCase> patient = window_->practice().patient();

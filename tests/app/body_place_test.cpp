@@ -1,4 +1,4 @@
-// The body in the workspace of the device: steps that can be taken back, and the moving mode of the window.
+// The body in the workspace of the device: steps that can be undone, and the moving mode of the window.
 #include "app/models/body_place.h"
 
 #include <QApplication>
@@ -18,11 +18,11 @@ TEST(BodyMover, takes_steps_back_one_by_one_and_all_at_once) {
   mover.begin(usual);
   EXPECT_FALSE(mover.undo());
   const BodyPlace first{Vec3(5.0, 2.0, 3.0), Mat3::Identity()}, second{Vec3(9.0, 2.0, 3.0), Mat3::Identity()};
-  mover.take();
+  mover.begin_step();
   mover.place({Vec3(4.0, 2.0, 3.0), Mat3::Identity()});  // on the way
   mover.place(first);
-  mover.take();
-  mover.take();  // taken and let go
+  mover.begin_step();
+  mover.begin_step();  // taken and let go
   mover.place(second);
   EXPECT_TRUE(mover.is_moved());
   EXPECT_TRUE(mover.undo());
@@ -59,7 +59,7 @@ TEST_F(MovingWindow, turns_and_moves_the_body_about_a_workspace_that_stays_on_th
   const OpenCase& patient = *practice.patient();
   EXPECT_EQ(usual, usual_place(*patient.description().procedure.path));
   click("practise.move");
-  // What comes up stands beside what was there, and over nothing.
+  // New widgets are beside the existing ones, and cover nothing.
   const auto* const reset = window_->findChild<QPushButton*>(QStringLiteral("practise.move.reset"));
   for (const char* other : {"practise.move", "practise.move.undo"}) {
     const auto* const button = window_->findChild<QPushButton*>(QLatin1String(other));

@@ -1,5 +1,5 @@
-// A patient who breathes in the window: what is drawn moves, the needle is taken along, and the breath is held when
-// asked for.
+// A patient who breathes in the window: the picture moves, the needle is carried along, and the breath is held on
+// request.
 #include <QPushButton>
 #include <algorithm>
 #include <filesystem>
@@ -62,7 +62,7 @@ TEST_F(BreathingPatient, is_drawn_moving_and_holds_the_breath_when_asked) {
     return view().scene()->skin_at(place->x, place->y)->point;
   };
   const Vec3 drawn_in = skin();
-  // Asked by the key, the patient breathes out and stays so.
+  // On the key, the patient breathes out and holds.
   view().setFocus();
   key(Qt::Key_Z);
   EXPECT_TRUE(wait([&] { return button->isChecked(); }, 60));
@@ -73,7 +73,7 @@ TEST_F(BreathingPatient, is_drawn_moving_and_holds_the_breath_when_asked) {
   }
   EXPECT_TRUE(wait([&] { return (skin() - drawn_in).norm() > 0.5; }, 60)) << "the drawn skin has moved";
 
-  // A needle that is in the tissue and is not moved: as the patient breathes on it is deeper or less deep.
+  // A resting needle in tissue: as the patient breathes its depth changes.
   const auto push = [&](double depth) {
     QTest::keyPress(window_->focusWidget(), Qt::Key_PageDown);
     const bool came = wait([&] { return frame().depth > depth; }, 60);
@@ -98,14 +98,14 @@ TEST_F(BreathingPatient, is_drawn_moving_and_holds_the_breath_when_asked) {
   click("practise.breath");
   ASSERT_TRUE(wait([&] { return frame().drawn_in == 0.0 && frame().other_hand.holds_breath; }, 60));
 
-  // A needle that is left in the tissue goes with it.
+  // A needle left in the tissue moves with it.
   key(Qt::Key_Space, Qt::ShiftModifier);
   ASSERT_TRUE(wait(State::ready, 60));
   ASSERT_EQ(window_->practice().left_needles().size(), 1U);
   const anatomy::NeedlePath left = window_->practice().left_needles().front();
   ASSERT_TRUE(wait([&] { return frame().drawn_in > 0.6; }, 60)) << "another attempt, another breath";
   ASSERT_EQ(frame().left_needles.size(), 1U);
-  // It is straight: no part of it can be farther from its tissue than that strays from a line.
+  // It is straight: its distance from the tissue is bounded by the tissue's deviation from a line.
   const Pose shown = frame().left_needles.front().pose;
   const auto now = [&](const Vec3& rest) { return Vec3(rest + field.moved(rest, frame().drawn_in)); };
   const Vec3 tip = shown.translation(), entry = tip - left.length() * needle_axis(shown);

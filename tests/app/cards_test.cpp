@@ -1,4 +1,4 @@
-// The cards over the pages: what they say of this Bodkin, and that results stand close together.
+// The cards over the pages: their facts about this Bodkin, and the compact layout of results.
 #include "app/pages/cards.h"
 
 #include <QLabel>
@@ -43,7 +43,7 @@ TEST(Cards, results_have_no_empty_line_under_the_grade) {
   result.verdict = training::Grade::dangerous;
   result.headline = "Dangerous: the tip entered a nerve root";
   result.remarks = {"You entered at L3/L4."};
-  // Frame after frame, as the window does it, first while the session is being saved.
+  // Frame by frame, as in the window, first during the saving of the session.
   card.show_result(nullptr, {QStringLiteral("A nerve, met at 50 mm after 10 s")}, {});
   QTest::qWait(30);
   for (int frame = 0; frame < 5; ++frame) {

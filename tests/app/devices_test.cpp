@@ -84,22 +84,22 @@ TEST_F(Devices, lists_the_mouse_every_driver_and_what_is_missing) {
 TEST_F(Devices, a_check_shows_the_hand_without_force_and_can_be_cancelled) {
   choose("simulated");
   click("devices.check");
-  ASSERT_TRUE(wait([&] { return page_->work().news().is_open && page_->work().news().fraction > 0.01; }));
+  ASSERT_TRUE(wait([&] { return page_->work().status().is_open && page_->work().status().fraction > 0.01; }));
   EXPECT_TRUE(window_->findChild<QPushButton*>(QStringLiteral("devices.cancel"))->isVisible());
-  EXPECT_EQ(page_->work().news().force, 0.0);
+  EXPECT_EQ(page_->work().status().force, 0.0);
   click("devices.cancel");
-  ASSERT_TRUE(wait([&] { return !page_->work().news().is_busy; }));
+  ASSERT_TRUE(wait([&] { return !page_->work().status().is_busy; }));
   EXPECT_TRUE(wait([&] { return !text("devices.verdict").isEmpty(); }));
 }
 
 TEST_F(Devices, the_calibration_leads_through_its_steps_and_keeps_nothing_when_it_is_cancelled) {
   choose("simulated");
   click("devices.calibrate");
-  ASSERT_TRUE(wait([&] { return !page_->work().news().steps.empty(); }));
+  ASSERT_TRUE(wait([&] { return !page_->work().status().steps.empty(); }));
   EXPECT_TRUE(wait([&] { return text("devices.steps").contains(QStringLiteral("workspace")); }));
   EXPECT_FALSE(text("devices.task").isEmpty());
   click("devices.cancel");
-  ASSERT_TRUE(wait([&] { return !page_->work().news().is_busy; }));
+  ASSERT_TRUE(wait([&] { return !page_->work().status().is_busy; }));
   EXPECT_FALSE(std::filesystem::exists(*io::calibrations_file()));
 }
 

@@ -1,4 +1,4 @@
-// Every key that F1 shows is pressed in the real window, and does what the table says of it.
+// Every key that F1 shows is pressed in the real window, and has the effect stated in the table.
 #include <QApplication>
 #include <QCheckBox>
 #include <QDir>
@@ -19,7 +19,7 @@
 
 #include "app/key_table.h"
 #include "app/main_window.h"
-#include "app/models/kept_measures.h"
+#include "app/models/stored_measures.h"
 #include "app/pages/models.h"
 #include "app/pages/plan.h"
 #include "app/pages/practise.h"
@@ -36,7 +36,7 @@ namespace {
 
 class EveryKey : public WindowFixture {
  protected:
-  // Presses a key of the table where the focus is, and waits for what it has to do.
+  // Presses a key of the table in the focused widget, and waits for its effect.
   void expect(KeyScope scope, const char* keys, const std::function<bool()>& done) {
     pressed_[scope].insert(keys);
     const int code = QKeySequence(QLatin1String(keys))[0];
@@ -44,7 +44,7 @@ class EveryKey : public WindowFixture {
         Qt::KeyboardModifiers(code & static_cast<int>(Qt::KeyboardModifierMask)));
     EXPECT_TRUE(wait(done, 60)) << keys << " of " << name_of(scope).toStdString();
   }
-  // It holds for a key that something else has tested.
+  // Marks a key that another test has covered.
   void elsewhere(KeyScope scope, const char* keys) { pressed_[scope].insert(keys); }
   void expect_all_pressed(std::initializer_list<KeyScope> scopes) {
     for (const KeyScope scope : scopes) {
@@ -55,7 +55,7 @@ class EveryKey : public WindowFixture {
       }
     }
   }
-  // A value that changes in the direction that is meant.
+  // A value that changes in the expected direction.
   template <typename Value>
   std::function<bool()> rises(Value value) {
     return [value, before = value()] { return value() > before; };
@@ -77,7 +77,7 @@ class EveryKey : public WindowFixture {
     EXPECT_TRUE(wait([&] { return shown->isVisible(); }, 60)) << name_of(id);
     return shown;
   }
-  // The six standard views by 0 to 6; each looks another way than the one before.
+  // The six standard views by 0 to 6; each differs from the previous one.
   template <typename AnyView>
   void expect_standard_views(KeyScope scope, AnyView& view) {
     const auto direction = [&view] { return Vec3((view.camera().focus - view.camera().eye).normalized()); };
@@ -104,7 +104,7 @@ class EveryKey : public WindowFixture {
   std::map<KeyScope, std::set<std::string>> pressed_;
 };
 
-// A patient that was begun by a key is not waited for.
+// A patient's preparation begun by a key is not waited for.
 void EveryKey::press_keys_of_the_start_page() {
   for (const char* keys : {"T", "Return", "Enter"}) {
     ASSERT_TRUE(wait([&] { return shows("start.begin"); }, 60));
@@ -189,7 +189,7 @@ void EveryKey::press_keys_of_the_needle_and_its_views() {
   const QPoint middle = axial->rect().center();
   for (const QPoint& at : {middle, middle + QPoint(30, 0)}) QTest::mouseClick(axial, Qt::LeftButton, {}, at);
   EXPECT_FALSE(axial->is_measuring());
-  EXPECT_FALSE(kept_measures(window_->practice().patient()->folder).empty()) << "it stays with the patient";
+  EXPECT_FALSE(stored_measures(window_->practice().patient()->folder).empty()) << "it stays with the patient";
   expect(KeyScope::slice, "Q", [&] { return axial->is_measuring(); });
   for (const QPoint& at : {middle, middle + QPoint(0, 30), middle + QPoint(30, 30)})
     QTest::mouseClick(axial, Qt::LeftButton, {}, at);

@@ -14,8 +14,7 @@ using Time = std::chrono::steady_clock::time_point;
 
 constexpr std::chrono::milliseconds interval = 16ms;
 
-// Frames that are drawn from one time on for `span`, where each takes what `takes` says of it, on a machine that does
-// nothing else.
+// Frames drawn for `span` from a given time on an idle machine, each taking the time of `takes`.
 template <typename Takes>
 int frames_drawn(Time from, std::chrono::milliseconds span, Takes takes) {
   Time now = from, due = from;
@@ -27,7 +26,7 @@ int frames_drawn(Time from, std::chrono::milliseconds span, Takes takes) {
   return frames;
 }
 
-// Every fourth is held up for 30 ms. A timer that drops what it missed gives four frames in 3 x 16 + 32 ms: 50 a
+// Every fourth is delayed by 30 ms. A timer that drops missed frames gives four frames in 3 x 16 + 32 ms: 50 a
 // second.
 TEST(FrameClock, frames_that_come_late_are_made_up_for) {
   const auto takes = [](int frame) { return frame % 4 == 0 ? 30ms : 0ms; };

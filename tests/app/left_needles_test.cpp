@@ -44,7 +44,7 @@ TEST(LeftNeedles, one_that_is_taken_out_while_the_session_runs_leaves_the_others
   EXPECT_FALSE(needles.take_out());
 }
 
-// What is drawn of the skin must not change its length in the moment between two sessions.
+// The drawn skin must not change its length between two sessions.
 TEST(LeftNeedles, one_that_was_left_just_now_is_shown_at_rest) {
   LeftNeedles needles;
   needles.begin({});

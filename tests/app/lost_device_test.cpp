@@ -1,4 +1,4 @@
-// A device that goes away during an attempt: no force, a sentence, and a way on with the device or with the mouse.
+// A device that disconnects during an attempt: no force, a sentence, and continuation with the device or the mouse.
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 std::atomic<bool> is_pulled_out{false};
 
-// The simulated hand, at a plug that can be pulled out.
+// The simulated hand, which can be unplugged.
 const bodkin_driver& loose_plug() {
   static const bodkin_driver driver = [] {
     bodkin_driver made = haptics::simulated_driver();
@@ -62,7 +62,7 @@ TEST_F(LostDevice, is_said_and_the_attempt_goes_on_with_the_mouse_without_losing
   ASSERT_TRUE(start()) << window_->practice().failure();
   ASSERT_TRUE(push_and_pull_out()) << name_of(window_->practice().state()) << ", " << frame().depth << " mm";
   ASSERT_TRUE(wait([&] { return find("pause")->isVisible(); }, 10));
-  EXPECT_EQ(text("pause.title"), QStringLiteral("The device went away"));
+  EXPECT_EQ(text("pause.title"), QStringLiteral("The device was disconnected"));
   EXPECT_THAT(text("pause.reason").toStdString(), HasSubstr("What was recorded is safe"));
   EXPECT_TRUE(find("pause.mouse")->isVisible());
   click("pause.mouse");

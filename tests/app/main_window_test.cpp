@@ -35,7 +35,7 @@ class Window : public WindowFixture {
       QTest::qWait(5);
     }
   }
-  // Pushes until the tip is so deep, however long the machine takes for it.
+  // Pushes until the tip has this depth, however long the machine takes.
   void push_to(double depth) {
     EXPECT_TRUE(wait(
         [&] {
@@ -94,7 +94,7 @@ TEST_F(Window, the_results_lead_to_the_review_of_the_attempt) {
   EXPECT_EQ(recording->patient(), window_->practice().patient());
   ASSERT_TRUE(recording->score().has_value()) << recording->not_judged();
   EXPECT_EQ(recording->score()->headline, window_->practice().result()->headline);
-  // The place at the tip is what the patient has there.
+  // The named place at the tip is the patient's structure there.
   const std::size_t deep = recording->index_at(recording->end());
   page->seek(recording->time(deep));
   ASSERT_TRUE(wait([&] { return std::abs(page->frame().time - recording->time(deep)) < 0.0011; }, 60));
@@ -168,7 +168,7 @@ TEST_F(Window, bone_holds_the_needle_and_says_so_within_two_frames) {
   const double depth = frame().depth;
   push(20);
   ASSERT_TRUE(settle());
-  EXPECT_LT(frame().depth, depth + 6.0);  // the hand goes on, the needle hardly
+  EXPECT_LT(frame().depth, depth + 6.0);  // the hand continues, the needle hardly
   EXPECT_GT((frame().hand.translation() - frame().needle.translation()).norm(), 2.0);
 }
 
@@ -183,7 +183,7 @@ TEST_F(Window, a_needle_that_is_left_stays_in_the_body_while_another_goes_in) {
   ASSERT_TRUE(wait(State::ready, 60)) << window_->practice().failure();
   ASSERT_EQ(frame().left_needles.size(), 1U);
   EXPECT_LT((frame().left_needles[0].pose.translation() - first.translation()).norm(), 0.1);
-  // It is drawn: pixels of the view in 3-D differ once it is taken out.
+  // It is drawn: pixels of the 3-D view change once it is removed.
   const QImage with = find("practise.view3d")->grab().toImage();
   push_to(10.0);
   ASSERT_TRUE(settle());

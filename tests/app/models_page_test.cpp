@@ -86,7 +86,7 @@ TEST_F(ModelsWindow, what_is_practised_feels_the_new_number) {
   QTest::mouseClick(find<QWidget>("models.use"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window_.practice().state() == State::ready; }, 60000));
   EXPECT_FALSE(page().isVisible());
-  // In until the skin gives, at the force that was set. The clock's frame comes after the window has taken it.
+  // Inserts until the skin gives way, at the set force. The clock's frame comes after the window has processed it.
   std::optional<double> skin_gave_way_at;  // N
   QObject::connect(&window_.clock(), &FrameClock::frame, &window_, [&] {
     for (const session::SessionEvent& event : window_.practice().frame().events) {
@@ -115,7 +115,7 @@ TEST_F(ModelsWindow, what_was_changed_is_there_again_when_the_window_was_closed_
   EXPECT_EQ(page->model()->model(), "layered");
   EXPECT_NEAR(page->model()->value(2), 2.5, 1e-9);
   EXPECT_NEAR(page->model()->value(5), 0.75, 1e-9);
-  EXPECT_TRUE(another.findChild<QLabel*>("models.line")->text().contains(QStringLiteral("here again")));
+  EXPECT_TRUE(another.findChild<QLabel*>("models.line")->text().contains(QStringLiteral("are restored")));
   QTest::keyClick(another.focusWidget(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_NEAR(page->model()->value(2), as_it_came, 1e-9);
   EXPECT_FALSE(page->model()->is_changed());

@@ -1,4 +1,4 @@
-// Which patient an image opens: his own, whatever its file is called.
+// An image opens its own patient, whatever its file name.
 #include "app/models/opened_images.h"
 
 #include <filesystem>
@@ -22,7 +22,7 @@ class OpenedImagesTest : public testing::Test {
   void TearDown() override { fs::remove_all(root_); }
 
   static void write(const fs::path& file) { std::ofstream(file) << "x"; }
-  // As an import does it.
+  // As in an import.
   fs::path open(const fs::path& image) const {
     const fs::path folder = images_.folder_of(image);
     fs::create_directories(folder);

@@ -149,7 +149,7 @@ TEST(ParameterModel, the_parts_of_a_case_have_their_steps_which_are_undone_as_al
   EXPECT_EQ(model.set(step_called(model, "Syringe: thumb force"), 8.0), "");
   EXPECT_EQ(model.now().haptics.parts.syringe->thumb_force, 8.0);
   step_called(model, "Finger: modulus");
-  // Viscosities are a thousand millionth of their unit in the file, which nobody could read or set.
+  // Viscosities are a thousand millionth of their unit in the file, too small to read or set.
   const std::size_t viscosity = step_called(model, "Fluid: viscosity");
   EXPECT_EQ(model.steps()[viscosity].unit, "mPa s");
   EXPECT_NEAR(model.value(viscosity), 1.0, 1e-9);
@@ -167,7 +167,7 @@ TEST(ParameterModel, the_parts_of_a_case_have_their_steps_which_are_undone_as_al
   model.redo();
   EXPECT_EQ(model.before(pressure), 145.0);
   EXPECT_EQ(model.value(pressure), 220.0);
-  // Another model keeps what suits every model, and back again has all.
+  // Another model keeps the parameters common to all models; returning restores all.
   model.choose_model("tracking_wall");
   step_called(model, "Fluid: opening pressure");
   EXPECT_FALSE(model.now().haptics.parts.needle_grasp.has_value());
@@ -225,7 +225,7 @@ TEST(ParameterModel, saved_tissues_come_back_from_their_file) {
   EXPECT_THROW(other.load(file), InputError);
 }
 
-// Where the forces follow from the needle, the steps begin with what the needle feels, and act.
+// If the forces follow from the needle, the steps begin with the needle's values, and take effect.
 TEST(ParameterModel, of_a_described_patient_has_the_numbers_of_his_needle) {
   const auto patient = std::make_shared<OpenCase>(*layered_patient());
   patient->patient.description.haptics.mechanics = anatomy::Mechanics::physical;
@@ -238,7 +238,7 @@ TEST(ParameterModel, of_a_described_patient_has_the_numbers_of_his_needle) {
   anatomy::Case part = patient->patient;
   for (const double wanted : {force, 0.5 * force}) {
     model.set(give, wanted);
-    EXPECT_NEAR(force_curve(part, model.now()).first_give.value_or(0.0), wanted, 0.1);
+    EXPECT_NEAR(force_curve(part, model.now()).first_puncture_force.value_or(0.0), wanted, 0.1);
   }
   model.take(io::default_tissue_library(), false);
   EXPECT_NEAR(model.value(give), force, 1e-12) << "the library describes tissues, not this needle";
@@ -254,8 +254,8 @@ TEST(ForceCurve, gives_way_at_the_break_force_that_was_set) {
     model.set(give, force);
     const ForceCurve curve = force_curve(part, model.now());
     ASSERT_EQ(curve.trouble, "");
-    ASSERT_TRUE(curve.first_give.has_value());
-    EXPECT_NEAR(*curve.first_give, force, 0.1) << "at 10 mm/s, by at most one sample";
+    ASSERT_TRUE(curve.first_puncture_force.has_value());
+    EXPECT_NEAR(*curve.first_puncture_force, force, 0.1) << "at 10 mm/s, by at most one sample";
     EXPECT_EQ(curve.bands.front().tissue, anatomy::tissue::skin);
     EXPECT_GE(curve.bands.size(), 3U);
   }

@@ -74,7 +74,7 @@ TEST_F(PartsWindow, a_tick_a_slider_and_a_colour_change_what_is_drawn) {
   EXPECT_NEAR(of("vessel").opacity, 0.4, 1e-6);
   click("practise.parts.colour.56b4e9");
   EXPECT_EQ(of("vessel").colour, 0x56B4E9u);
-  // A preset brings back what it shows; Escape closes the list.
+  // A preset restores its visible parts; Escape closes the list.
   click("practise.preset.cut_away");
   EXPECT_TRUE(of("bone", "vertebrae_L3").drawn());
   EXPECT_EQ(of("vessel").colour, 0x56B4E9u);

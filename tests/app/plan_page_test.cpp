@@ -1,4 +1,4 @@
-// The plan made by mouse in the real window: clicks, a drag, undo, what the case's file holds afterwards.
+// The plan made by mouse in the real window: clicks, a drag, undo, contents of the case's file afterwards.
 #include <QApplication>
 #include <QLabel>
 #include <QMouseEvent>
@@ -85,7 +85,7 @@ TEST_F(PlanPageTest, a_click_on_the_skin_is_the_entry_and_it_can_be_dragged_in_a
   const Vec3 entry = page_->model()->path()->entry;
   EXPECT_NEAR((entry - first_.entry).norm(), 12.0, 5.0);
   EXPECT_EQ(page_->model()->path()->target, first_.target);
-  // On the patient's skin, whatever the smooth surface that was clicked.
+  // On the patient's skin, although a smoothed surface was clicked.
   const anatomy::TissueVolume& tissues = page_->model()->patient().patient.tissues;
   EXPECT_NE(anatomy::nearest(tissues, entry, anatomy::tissue::air), anatomy::tissue::air);
   EXPECT_EQ(anatomy::nearest(tissues, Vec3(entry - 1.0 * page_->model()->path()->direction()),
@@ -101,7 +101,7 @@ TEST_F(PlanPageTest, a_click_on_the_skin_is_the_entry_and_it_can_be_dragged_in_a
     QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(slice, &move);
   }
-  EXPECT_EQ(saved().entry, first_.entry);  // while it is dragged nothing is written
+  EXPECT_EQ(saved().entry, first_.entry);  // during the drag nothing is written
   QTest::mouseRelease(slice, Qt::LeftButton, Qt::NoModifier, to);
   EXPECT_LT(saved().entry.z(), first_.entry.z() - 4.0);
   EXPECT_EQ(saved().target, first_.target);
@@ -131,15 +131,15 @@ TEST_F(PlanPageTest, the_colours_of_the_skin_are_the_clearances_and_grow_from_th
   ASSERT_EQ(result.map.size(), skin.size());
   int open = 0, blocked = 0;
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    EXPECT_NE(result.map[i].kind, EntryRoom::Kind::unknown);
-    blocked += result.map[i].kind == EntryRoom::Kind::blocked ? 1 : 0;
-    if (result.map[i].kind != EntryRoom::Kind::open) continue;
+    EXPECT_NE(result.map[i].kind, EntrySuitability::Kind::unknown);
+    blocked += result.map[i].kind == EntrySuitability::Kind::blocked ? 1 : 0;
+    if (result.map[i].kind != EntrySuitability::Kind::open) continue;
     if (++open % 20 != 1) continue;
     const Vec3 point = skin[i].cast<double>();
-    const auto entry = patient::way_out(page_->model()->patient().patient.tissues, first_.target,
-                                        (point - first_.target).normalized(), 400.0);
+    const auto entry = patient::find_skin_exit(page_->model()->patient().patient.tissues, first_.target,
+                                               (point - first_.target).normalized(), 400.0);
     ASSERT_TRUE(entry);
-    // Without the last 10 mm, which all ways share.
+    // Without the last 10 mm, common to all paths.
     const Vec3 back = *entry - first_.target;
     const Vec3 before_end = first_.target + std::min(10.0, 0.5 * back.norm()) * back.normalized();
     double least = 7.0;
@@ -149,14 +149,14 @@ TEST_F(PlanPageTest, the_colours_of_the_skin_are_the_clearances_and_grow_from_th
   }
   EXPECT_GT(open, 3);
   EXPECT_GT(blocked, open);
-  // Nerve roots 2.2 mm from the target do not hide which ways are better.
+  // Nerve roots 2.2 mm from the target do not hide the better paths.
   float best = 0.0F;
-  for (const EntryRoom& each : result.map) best = std::max(best, each.clearance);
+  for (const EntrySuitability& each : result.map) best = std::max(best, each.clearance);
   EXPECT_GT(best, 3.0F);
 }
 
 TEST_F(PlanPageTest, a_path_through_bone_is_told_and_its_stretch_in_bone_is_known) {
-  // Towards the head the way leads through a spinous process.
+  // Towards the head the path leads through a spinous process.
   for (double up = 4.0; up < 34.0 && !(page_->model()->report() && page_->model()->report()->room.blocked); up += 3.0)
     page_->model()->move_entry(first_.entry + Vec3(0.0, 0.0, up));
   ASSERT_TRUE(page_->model()->report());

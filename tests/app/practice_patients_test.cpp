@@ -1,4 +1,4 @@
-// Every procedure that comes with Bodkin has a patient of its own, offered on the start page.
+// Every supplied procedure has its own patient, offered on the start page.
 #include "app/models/practice_patients.h"
 
 #include <QLabel>
@@ -86,7 +86,7 @@ TEST_F(StartWindow, offers_every_procedure_by_name_with_a_line_and_begins_it) {
   ASSERT_EQ(practice.failure(), "");
   EXPECT_EQ(practice.patient()->folder, practice.cases().folder_of(*find_practice_patient("needle_insertion")));
   practice.leave();
-  // Those patients stand among the procedures, not among those that a person has opened.
+  // Those patients are listed among the procedures, not among those opened by the user.
   const auto known = practice.cases().known();
   EXPECT_EQ(std::count(known.begin(), known.end(), practice.cases().folder_of(built_in_patient())), 0);
 }

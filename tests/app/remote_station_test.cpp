@@ -23,7 +23,7 @@ namespace {
 using ::testing::HasSubstr;
 constexpr int patience = 60000;  // ms
 
-// What the hand does there: it goes in, and stays for a while.
+// The remote hand: it moves in, and stays for a while.
 constexpr const char* slow_hand = "speed_mm_s=30 start_mm=10 depth_mm=20 wait_s=25";
 
 class RemoteWindow : public WindowFixture {
@@ -129,7 +129,7 @@ TEST_F(RemoteWindow, finds_the_copy_of_the_stations_case_by_name_and_tissues) {
     patient_of_station(server, here);
     FAIL() << "expected a refusal";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("of whom there is no case here"));
+    EXPECT_THAT(error.what(), HasSubstr("whose case is not on this computer"));
   }
 }
 
@@ -164,7 +164,7 @@ TEST(StationPatient, a_waiting_station_tells_its_name_and_one_that_is_not_there_
   }
 }
 
-// A body of finite elements: the window is told where the skin is, not how it came there.
+// A body of finite elements: the window is told only the skin's present place.
 TEST(RemoteStation, brings_the_displacements_of_a_deformable_body_and_none_of_a_rigid_one) {
   const auto patient = std::make_shared<OpenCase>();
   patient->patient = link::served_slabs();
@@ -181,7 +181,7 @@ TEST(RemoteStation, brings_the_displacements_of_a_deformable_body_and_none_of_a_
   const Vec3 entry = patient->patient.description.procedure.path->entry;
   station.follow_points({entry, entry + Vec3(4.0, 0.0, 1.0)});
   ASSERT_TRUE(QTest::qWaitFor([&] { return server.counts().clients == 1; }, patience));
-  StationNews news;
+  StationUpdate news;
   const auto tell = [&](bool deforms) {
     const std::string about = R"({"case":"x","deformable_body":)" + std::string(deforms ? "true" : "false") +
                               R"(,"tissues_digest":")" + io::volume_digest(patient->patient.tissues) + "\"}";

@@ -1,4 +1,4 @@
-// The review page in a window: what it shows is what the session file holds.
+// The review page in a window: it shows the contents of the session file.
 #include "app/pages/review.h"
 
 #include <QDir>
@@ -87,7 +87,7 @@ class Review : public testing::Test {
   bool wait_until_read() {
     return QTest::qWaitFor([&] { return !page_->is_busy(); }, 60000);
   }
-  // Until the moment that was asked for is shown.
+  // Waits until the requested moment is shown.
   void settle() {
     QTest::qWait(40);
     if (page_->recording() == nullptr) return;
@@ -123,8 +123,8 @@ TEST_F(Review, seeking_shows_the_needle_and_the_time_that_the_file_holds) {
   EXPECT_EQ(page_->frame().place, "muscle");
 }
 
-// What the probe on the screen did comes back: its picture, made again, and the border of what it saw; and a needle
-// that was left, in the picture and beside the other one.
+// The on-screen probe is replayed: its recomputed image and its border; and a left needle, in the image and beside
+// the other needle.
 TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
   auto patient = std::make_shared<OpenCase>();
   patient->patient = slab_case({{anatomy::tissue::skin, 2.0}, {anatomy::tissue::muscle, 60.0}});
@@ -163,7 +163,7 @@ TEST_F(Review, shows_the_recorded_probe_and_its_picture) {
   settle();
   EXPECT_TRUE(view->isVisible());
   ASSERT_NE(view->scan(), nullptr);
-  const imaging::ScanMoment& shown = view->scan()->screen().moment();
+  const imaging::ScanState& shown = view->scan()->screen().moment();
   EXPECT_EQ(shown.frame.why, imaging::NoImage::none);
   EXPECT_EQ(shown.settings.depth, 40.0);
   EXPECT_EQ(shown.pose.translation(), Vec3::Zero());
@@ -204,7 +204,7 @@ TEST_F(Review, keys_step_by_pictures_and_events_and_a_click_on_a_flag_goes_to_it
   QTest::mouseClick(timeline, Qt::LeftButton, {}, timeline->place_of_event(0, 1));
   settle();
   EXPECT_NEAR(page_->time(), 2.9, 1e-9);
-  // Elsewhere a click goes to the moment of the place.
+  // Elsewhere a click goes to the moment at that place.
   const double somewhere = 1.5;
   QTest::mouseClick(timeline, Qt::LeftButton, {}, QPoint(static_cast<int>(timeline->x_of(somewhere)), 30));
   EXPECT_NEAR(page_->time(), somewhere, 3.0 / timeline->width() * 2.0);

@@ -82,7 +82,7 @@ class SegmentWindow : public testing::Test {
   }
   bool wait(const std::function<bool()>& until) { return QTest::qWaitFor(until, 120000); }
   void click(const char* name) { QTest::mouseClick(find<QPushButton>(name), Qt::LeftButton); }
-  // As soon as the filter's work is a step.
+  // Waits until the filter's work is an undo step.
   bool finish() {
     return wait([&] { return !page().model()->status().is_busy && find<QPushButton>("segment.fill")->isEnabled(); });
   }
@@ -123,7 +123,7 @@ TEST_F(SegmentWindow, a_lesion_is_grown_from_a_click_undone_and_saved_with_its_t
   ASSERT_EQ(page().model()->active_label(), 1);
   page().set_crosshair(ball_middle);
   key(Qt::Key_G);
-  // Beside the ball first: a sentence, and nothing is changed.
+  // First beside the ball: a sentence, and no change.
   QTest::mouseClick(&page().slice(0), Qt::LeftButton, Qt::NoModifier,
                     page().slice(0).place(Vec3(-20.0, 0.0, 0.0)).toPoint());
   ASSERT_TRUE(finish());
@@ -233,7 +233,7 @@ TEST_F(SegmentWindow, paint_erase_fill_and_smooth_do_what_they_say) {
   ASSERT_TRUE(finish());
   EXPECT_LT(count(), before) << "its corners go";
   EXPECT_GT(static_cast<double>(count()), 0.7 * static_cast<double>(before));
-  // What is drawn: the structure's colour over the grey, the CT alone when it is taken away.
+  // The drawing: the structure's colour over the grey, only the CT when it is removed.
   page().set_crosshair(Vec3(-20.0, 0.0, 1.0));
   const QPoint inside = page().slice(0).place(Vec3(-22.0, 3.0, 1.0)).toPoint();
   const QColor covered = page().slice(0).picture().pixelColor(inside);
@@ -249,7 +249,7 @@ TEST_F(SegmentWindow, what_was_not_saved_is_there_again_and_one_step_takes_it_ba
   drag(Vec3(-30.0, 0.0, 1.0), Vec3(-10.0, 0.0, 1.0));
   const std::size_t painted = count();
   ASSERT_GT(painted, 0U);
-  // As when the program ends: another window opens the patient.
+  // As after a restart: another window opens the patient.
   window_.show_page(PageId::start);
   ASSERT_TRUE(wait([&] { return window_.practice().state() == State::no_case; }));
   MainWindow next(data_folder());

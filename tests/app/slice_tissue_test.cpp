@@ -1,4 +1,4 @@
-// How tissue has moved for the slices of an attempt, from displacements that follow a law.
+// Tissue motion for the slices of an attempt, from displacements with a known law.
 #include "app/models/slice_tissue.h"
 
 #include <cmath>

@@ -26,15 +26,15 @@ session::SessionEvent event_of(forces::EventKind kind) {
 
 TEST(SoundCues, a_layer_that_gives_way_is_heard_once) {
   SoundCues cues;
-  EXPECT_FALSE(cues.hear(frame_at(1.0)).has_value());
+  EXPECT_FALSE(cues.cue_for(frame_at(1.0)).has_value());
   const session::SessionEvent give = event_of(forces::EventKind::puncture);
   Frame frame = frame_at(1.1);
   frame.events = {&give, 1};
-  EXPECT_EQ(cues.hear(frame), Sound::give);
+  EXPECT_EQ(cues.cue_for(frame), Sound::give);
   frame.clock = 1.2;
-  EXPECT_FALSE(cues.hear(frame).has_value()) << "250 ms apart at least";
+  EXPECT_FALSE(cues.cue_for(frame).has_value()) << "250 ms apart at least";
   frame.clock = 1.4;
-  EXPECT_EQ(cues.hear(frame), Sound::give);
+  EXPECT_EQ(cues.cue_for(frame), Sound::give);
 }
 
 TEST(SoundCues, a_warning_is_repeated_every_two_seconds_and_bone_knocks_once) {
@@ -44,7 +44,7 @@ TEST(SoundCues, a_warning_is_repeated_every_two_seconds_and_bone_knocks_once) {
   int heard = 0;
   for (double clock = 0.0; clock < 5.0; clock += 0.016) {
     frame.clock = clock;
-    if (const auto sound = cues.hear(frame)) {
+    if (const auto sound = cues.cue_for(frame)) {
       EXPECT_EQ(*sound, Sound::warning);
       ++heard;
     }
@@ -52,12 +52,12 @@ TEST(SoundCues, a_warning_is_repeated_every_two_seconds_and_bone_knocks_once) {
   EXPECT_EQ(heard, 3);
   frame.warning.reset();
   frame.clock = 6.0;
-  EXPECT_FALSE(cues.hear(frame).has_value());
+  EXPECT_FALSE(cues.cue_for(frame).has_value());
   frame.warning = Warning{Warning::Kind::bone, "Bone", ""};
   heard = 0;
   for (double clock = 7.0; clock < 12.0; clock += 0.016) {
     frame.clock = clock;
-    if (const auto sound = cues.hear(frame)) {
+    if (const auto sound = cues.cue_for(frame)) {
       EXPECT_EQ(*sound, Sound::bone);
       ++heard;
     }
@@ -69,18 +69,18 @@ TEST(SoundCues, the_target_is_heard_when_it_is_reached_and_not_while_it_lasts) {
   SoundCues cues;
   Frame frame = frame_at(1.0);
   frame.target_reached = true;
-  EXPECT_EQ(cues.hear(frame), Sound::target);
+  EXPECT_EQ(cues.cue_for(frame), Sound::target);
   frame.clock = 3.0;
-  EXPECT_FALSE(cues.hear(frame).has_value());
+  EXPECT_FALSE(cues.cue_for(frame).has_value());
   frame.target_reached = false;
   frame.clock = 4.0;
-  EXPECT_FALSE(cues.hear(frame).has_value());
+  EXPECT_FALSE(cues.cue_for(frame).has_value());
   frame.target_reached = true;
   frame.clock = 5.0;
-  EXPECT_EQ(cues.hear(frame), Sound::target);
+  EXPECT_EQ(cues.cue_for(frame), Sound::target);
 }
 
-// Cycles a second between two times, from the places where the curve rises through zero.
+// Cycles per second between two times, from upward zero crossings of the curve.
 double frequency_of(const std::vector<float>& samples, double from, double to, double rate) {
   int crossings = 0;
   double first = -1.0, last = -1.0;

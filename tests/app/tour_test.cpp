@@ -74,7 +74,7 @@ TEST_F(TourWindow, is_walked_through_by_doing_what_it_says) {
   EXPECT_EQ(tour.steps().step(), Step::look);
   QTest::keyClick(find("practise.view3d"), Qt::Key_Left);
   EXPECT_EQ(tour.steps().step(), Step::aim);
-  // The balloon that speaks of the ring does not lie over it.
+  // The balloon about the ring does not cover it.
   ASSERT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("tour.title")->text() == "Aim"; }, 60000));
   ASSERT_TRUE(QTest::qWaitFor([&] { return tour.ring(window_.practice().frame()).has_value(); }, 60000));
   EXPECT_TRUE(QTest::qWaitFor(
@@ -97,8 +97,8 @@ TEST_F(TourWindow, is_walked_through_by_doing_what_it_says) {
 }
 
 TEST_F(TourWindow, the_palette_finds_a_command_by_the_beginnings_of_its_words) {
-  EXPECT_TRUE(fits_wish(QStringLiteral("save a picture of the window"), QStringLiteral("pic win")));
-  EXPECT_FALSE(fits_wish(QStringLiteral("save a picture of the window"), QStringLiteral("pic door")));
+  EXPECT_TRUE(matches_query(QStringLiteral("save a picture of the window"), QStringLiteral("pic win")));
+  EXPECT_FALSE(matches_query(QStringLiteral("save a picture of the window"), QStringLiteral("pic door")));
   key(Qt::Key_K, Qt::ControlModifier);
   auto* const words = find<QLineEdit>("palette.words");
   ASSERT_TRUE(words->isVisible());

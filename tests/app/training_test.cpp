@@ -1,4 +1,4 @@
-// A trainee follows a plan in the window: what stages show, what counts, what is kept, where it goes on.
+// A trainee follows a plan in the window: views of stages, counting attempts, stored results, continuation.
 #include "app/pages/training.h"
 
 #include <QApplication>
@@ -53,7 +53,7 @@ TEST(AllowedFrame, hides_what_a_stage_does_not_show_and_nothing_else) {
   EXPECT_TRUE(all.has_needle);
 }
 
-// A patient of landmarks and a path alone.
+// A patient with only landmarks and a path.
 anatomy::Case patient_of(const anatomy::NeedlePath& path) {
   anatomy::Case patient;
   patient.library = io::default_tissue_library();
@@ -91,13 +91,13 @@ TEST(StepFollower, a_step_of_the_ultrasound_is_over_when_the_picture_shows_it_an
   const training::Procedure procedure = training::find_procedure("ultrasound_guided_injection");
   ASSERT_EQ(procedure.steps.at(0).shown, "target");
   const anatomy::UltrasoundProbe probe = io::find_probe("L12-3");
-  station::LivePicture picture;
-  picture.order.settings.depth = 60.0;
-  picture.order.probe.linear().col(0) = Vec3::UnitX();
-  picture.order.probe.linear().col(1) = -Vec3::UnitY();  // into the patient
-  picture.order.probe.linear().col(2) = -Vec3::UnitZ();
+  station::LiveImage picture;
+  picture.setup.settings.depth = 60.0;
+  picture.setup.probe.linear().col(0) = Vec3::UnitX();
+  picture.setup.probe.linear().col(1) = -Vec3::UnitY();  // into the patient
+  picture.setup.probe.linear().col(2) = -Vec3::UnitZ();
   const auto sees = [&](StepFollower& steps, const Vec3& face) {
-    picture.order.probe.translation() = face;
+    picture.setup.probe.translation() = face;
     Frame frame;
     frame.ultrasound = &picture;
     steps.follow(frame, &probe);
@@ -157,7 +157,7 @@ class TrainingWindow : public WindowFixture {
   }
   Practice& practice() { return window_->practice(); }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
-  // Until the tip is so deep.
+  // Waits until the tip has this depth.
   bool push_to(double depth) {
     return wait(
         [&] {
@@ -170,7 +170,7 @@ class TrainingWindow : public WindowFixture {
     QTest::keyClick(window_.get(), Qt::Key_E);
     return wait([&] { return practice().state() == State::ended && practice().result().has_value(); }, 60);
   }
-  // By the page, as a trainee does.
+  // Through the page, as a trainee does.
   void begin_plan() {
     click("start.training");
     auto* const page = find<TrainingPage>("training");
@@ -202,7 +202,7 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   EXPECT_TRUE(find("practise.slice.sagittal")->isVisible());
   window_->show_page(PageId::plan);
   EXPECT_FALSE(find("plan")->isVisible()) << "it shows where to go in";
-  // Touching nobody is no attempt.
+  // Without skin contact it is not an attempt.
   ASSERT_TRUE(end_attempt());
   EXPECT_TRUE(window_->training_run()->standing().attempts.empty());
   click("results.again");
@@ -213,7 +213,7 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   click("results.again");  // "Next stage"
   ASSERT_TRUE(wait(State::ready, 60)) << practice().failure();
 
-  // By feel: nothing that tells the way.
+  // By feel: nothing that reveals the path.
   EXPECT_FALSE(find("practise.slice.sagittal")->isVisible());
   EXPECT_FALSE(page->findChild<DepthLadder*>()->isVisible());
   EXPECT_FALSE(page->findChild<TipLabel*>()->isVisible());
@@ -231,7 +231,7 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
   QTest::qWait(100);
   EXPECT_EQ(practice().state(), State::ready);
 
-  // Closed and opened again: the store knows how far it is.
+  // Closed and reopened: the store has the progress.
   window_.reset();
   open_window();
   ASSERT_TRUE(find("start.plan.continue")->isVisible());
@@ -257,7 +257,7 @@ TEST_F(TrainingWindow, leads_through_its_stages_keeps_the_results_and_goes_on_af
     EXPECT_EQ(kept[static_cast<std::size_t>(i)].stage, i + 1);
     EXPECT_TRUE(std::filesystem::exists(kept[static_cast<std::size_t>(i)].file));
   }
-  // Everything may be seen again.
+  // All views are permitted again.
   window_->run(Command::back);
   window_->run(Command::begin);
   ASSERT_TRUE(wait(State::ready, 60)) << practice().failure();

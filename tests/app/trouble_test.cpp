@@ -1,4 +1,4 @@
-// What goes wrong is a sentence in the window, the rest goes on, and no session is lost.
+// Errors are a sentence in the window, everything else continues, and no session is lost.
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
@@ -32,7 +32,7 @@ class Trouble : public WindowFixture {
   }
 };
 
-// The limit stands for a disk without room: what goes beyond it cannot be written.
+// The limit simulates a full disk: writes beyond it fail.
 class FullDisk {
  public:
   explicit FullDisk(std::uintmax_t room) {
@@ -70,7 +70,7 @@ TEST_F(Trouble, a_disk_that_fills_ends_the_attempt_with_a_sentence_and_keeps_wha
   const session::Session kept = session::read_session(*made.begin());
   EXPECT_FALSE(kept.finished);
   EXPECT_GT(kept.ticks.size(), 100U);
-  // With room again the window goes on.
+  // With free space again the window continues.
   click("results.again");
   ASSERT_TRUE(wait(State::ready, 60)) << window_->practice().failure();
   EXPECT_TRUE(push_to(3.0));
@@ -110,7 +110,7 @@ TEST_F(Trouble, a_patient_who_fails_the_check_is_a_sentence_and_another_one_open
   EXPECT_TRUE(start()) << window_->practice().failure();
 }
 
-// Of the ultrasound's preparation it is said what is done; and cancelling ends it, without a file or a complaint.
+// The ultrasound's preparation reports its steps; cancelling ends it, without a file or a message.
 TEST_F(Trouble, what_the_station_prepares_is_told_and_can_be_cancelled) {
   ASSERT_TRUE(start()) << window_->practice().failure();
   std::set<std::string> told;
@@ -129,7 +129,7 @@ TEST_F(Trouble, what_the_station_prepares_is_told_and_can_be_cancelled) {
   EXPECT_TRUE(start()) << window_->practice().failure();
 }
 
-// Whatever is being done: nothing hangs, and what was recorded is whole.
+// During any action: nothing hangs, and the recording is complete.
 TEST_F(Trouble, the_window_closes_at_any_moment) {
   const std::set<fs::path> others = sessions();
   click("start.begin");

@@ -63,7 +63,7 @@ TEST_F(ScanWindow, every_key_of_the_machine_does_its_work) {
   EXPECT_EQ(scan.settings().sliders[2], 2.0);
   key(Qt::Key_0);
   EXPECT_EQ(scan.settings().sliders[2], 0.0);
-  // Space freezes, for no needle is held.
+  // Space freezes, because no needle is held.
   key(Qt::Key_Space);
   EXPECT_TRUE(scan.screen().frozen());
   key(Qt::Key_F);

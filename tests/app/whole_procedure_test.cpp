@@ -29,7 +29,7 @@ class WholeProcedure : public WindowFixture {
   }
   QWidget* focus() { return window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get(); }
   void key(Qt::Key which) { QTest::keyClick(focus(), which); }
-  // A key of the needle is held until something is so.
+  // Holds a key of the needle until a condition holds.
   bool hold(Qt::Key which, bool slowly, const std::function<bool()>& until, int seconds) {
     const Qt::KeyboardModifiers with = slowly ? Qt::ShiftModifier : Qt::NoModifier;
     QTest::keyPress(focus(), which, with);
@@ -43,7 +43,7 @@ class WholeProcedure : public WindowFixture {
     for (const forces::EventKind kind : seen_) all += std::string(session::event_kind_name(kind)) + " ";
     return all;
   }
-  // The pointer is over the skin until the tip hovers there: one on its way out goes nowhere else.
+  // The pointer is over the skin until the tip hovers there: a needle on its way out does not follow it.
   void aim(const SkinPoint& skin) {
     ASSERT_TRUE(wait(
         [&] {
@@ -53,7 +53,7 @@ class WholeProcedure : public WindowFixture {
         60));
   }
   bool is_above() { return practice().state() == State::ready || practice().state() == State::aiming; }
-  // Where the finger is put down, `cranial` mm from the planned entry along the back.
+  // The finger's place, `cranial` mm from the planned entry along the back.
   void feel(double cranial) {
     const OpenCase& patient = *practice().patient();
     const anatomy::NeedlePath plan = *patient.description().procedure.path;
@@ -126,7 +126,7 @@ TEST_F(WholeProcedure, an_epidural_with_the_thumb_on_the_plunger_passes) {
   const anatomy::NeedlePath plan = *practice().patient()->description().procedure.path;
   ASSERT_TRUE(hold(
       Qt::Key_PageDown, false, [&] { return frame().depth > 0.6 * plan.length(); }, 60));
-  // The tip pushes the ligament, which this needle goes through in one jump.
+  // The tip pushes the ligament, which this needle penetrates in one jump.
   const auto pushes_ligament = [&] {
     const Vec3 ahead = frame().touched + 0.5 * needle_axis(frame().needle);
     return frame().pushed > 0.0 &&
@@ -158,7 +158,7 @@ TEST_F(WholeProcedure, an_epidural_with_the_thumb_on_the_plunger_passes) {
   expect_verdict(training::Grade::pass);
 }
 
-// Too far: the window says what a hub would show, and the verdict is never better.
+// Too deep: the window reports what a hub would show, and the verdict is never better.
 TEST_F(WholeProcedure, an_epidural_needle_through_the_dura_is_a_wet_tap) {
   begin("epidural");
   ASSERT_TRUE(hold(
@@ -185,7 +185,7 @@ TEST_F(WholeProcedure, the_syringe_is_filled_with_air_above_the_skin_alone) {
   click("practise.air");
   EXPECT_NE(practice().advance(frame().clock).hint.find("Withdraw the needle"), std::string::npos);
   EXPECT_TRUE(frame().other_hand.air);
-  // What the session keeps is what was felt.
+  // The session stores the felt forces.
   key(Qt::Key_E);
   ASSERT_TRUE(wait([&] { return practice().result().has_value(); }, 60));
   const session::Session saved = session::read_session(practice().result()->session);

@@ -14,7 +14,7 @@
 
 namespace bodkin::app {
 
-// The main window, open at its start screen, and what a hand does to its widgets.
+// The main window, open at its start screen, and user actions on its widgets.
 class WindowFixture : public testing::Test {
  protected:
   void SetUp() override { open_window(); }
@@ -39,7 +39,7 @@ class WindowFixture : public testing::Test {
     return wait([&] { return window_->practice().state() == state; }, seconds);
   }
   const Frame& frame() { return window_->practice().frame(); }
-  // Until the hand rests.
+  // Waits until the hand rests.
   bool settle() {
     Vec3 last = Vec3::Constant(1e9);
     int frames = 0;
@@ -55,7 +55,7 @@ class WindowFixture : public testing::Test {
         },
         60);
   }
-  // The sessions that are kept, without the log of one that runs.
+  // The stored sessions, without the log of a running one.
   static std::set<std::filesystem::path> sessions() {
     std::set<std::filesystem::path> files;
     std::error_code none_yet;

@@ -50,7 +50,7 @@ TEST_F(App, what_is_no_line_of_a_script_and_no_size_is_refused) {
   EXPECT_EQ(run_bodkin(folder_, "app --script missing.txt").exit_code, 2);
 }
 
-// The attempt begins, the terminal or the machine goes away, and the session is whole.
+// The attempt begins, the terminal or the machine shuts down, and the session is complete.
 TEST_F(App, the_end_of_the_terminal_or_the_machine_closes_the_window_and_saves_the_session) {
   ASSERT_EQ(run_bodkin(folder_, "-q case synthesize lumbar patient --spacing 1.5").exit_code, 0);
   for (const auto& [signal, code] : {std::pair{"HUP", 129}, {"TERM", 143}}) {

@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 class Arguments : public BodkinCommand {
  protected:
-  // `parts` are what the sentence must say.
+  // `parts` must occur in the sentence.
   static void expect_refusal(const std::string& arguments, const std::vector<std::string>& parts) {
     SCOPED_TRACE(arguments);
     const auto before = listing();
@@ -134,8 +134,8 @@ TEST_F(Arguments, places_that_cannot_be_written_are_refused_before_the_work) {
   expect_refusal("perform somewhere haption -o no/such/s.bodkin", {"--output is 'no/such/s.bodkin'"});
   expect_refusal("run somewhere -o folder", {"which is a folder"});
   expect_refusal("report session.bodkin -o no/such/r.html", {"--output is 'no/such/r.html'"});
-  expect_refusal("report session.bodkin -o ./session.bodkin", {"which is read from"});
-  expect_refusal("export session.bodkin --csv session.bodkin", {"--csv is 'session.bodkin', which is read from"});
+  expect_refusal("report session.bodkin -o ./session.bodkin", {"which is also an input"});
+  expect_refusal("export session.bodkin --csv session.bodkin", {"--csv is 'session.bodkin', which is also an input"});
   expect_refusal("export session.bodkin --csv no/such/t.csv", {"--csv is 'no/such/t.csv'"});
   expect_refusal("export session.bodkin --csv a.csv --events a.csv", {"both 'a.csv'"});
   expect_refusal("ultrasound somewhere -o no/such/p.png",

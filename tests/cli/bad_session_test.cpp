@@ -1,4 +1,4 @@
-// Sessions that cannot be judged, and stores that cannot be written: each command says so in one sentence, and
+// Sessions that cannot be scored, and stores that cannot be written: each command reports it in one sentence, and
 // nothing is lost.
 #include <cstdlib>
 
@@ -44,7 +44,7 @@ class BadSession : public PatientCommand {
     if (finish) writer.finish();
   }
 
-  // Every command that judges a session refuses this one in one line, and leaves nothing behind.
+  // Every scoring command refuses this session in one line, and leaves nothing behind.
   static void expect_refused(const std::string& file, const std::string& part) {
     const std::set<std::string> before = listing();
     for (const std::string command : {"score", "report", "results add --trainee t1", "experts import"}) {

@@ -40,7 +40,7 @@ inline std::string content_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// What the shell of run_bodkin() is told before the program.
+// Shell commands of run_bodkin() before the program.
 inline std::string& before_program() {
   static std::string words;
   return words;
@@ -94,14 +94,14 @@ inline Outcome run_bodkin_in_copy(const std::filesystem::path& folder, const std
   return outcome;
 }
 
-// A folder of its own for the tests of a file, removed with what they leave in it.
+// A separate folder for the tests of a file, removed with its contents.
 class BodkinCommand : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::filesystem::temp_directory_path() / ("bodkin_commands_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    // What this user has calibrated is no part of a test.
+    // This user's calibrations must not affect a test.
     setenv("XDG_CONFIG_HOME", (folder_.string() + "_config").c_str(), 1);
   }
   static void TearDownTestSuite() {
@@ -114,7 +114,7 @@ class BodkinCommand : public ::testing::Test {
   static void write(const std::string& name, const std::string& bytes) {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
   }
-  // Everything in the folder, folders within it too.
+  // All contents of the folder, including subfolders.
   static std::set<std::string> listing() {
     std::set<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
@@ -125,7 +125,7 @@ class BodkinCommand : public ::testing::Test {
   static inline std::filesystem::path folder_;
 };
 
-// A system that lets no program lock its memory, for as long as this lives; the superuser's neither.
+// A system without memory locking, even for the superuser, while this lives.
 class LittleLockedMemory {
  public:
   LittleLockedMemory() {
@@ -137,7 +137,7 @@ class LittleLockedMemory {
   LittleLockedMemory& operator=(const LittleLockedMemory&) = delete;
 };
 
-// A synthetic patient, "patient" in a folder of its own, made once for all the tests of this process: that takes
+// A synthetic patient, "patient" in a separate folder, created once for all tests of this process, because it takes
 // seconds.
 struct SyntheticPatient {
   SyntheticPatient(const std::string& name, std::initializer_list<const char*> commands)

@@ -26,12 +26,12 @@ TEST_F(CaseBreatheCommand, lets_a_patient_breathe_who_performs_replays_and_is_ju
   EXPECT_NEAR(result.at("entry_mm").get<double>(), entry, 1e-6);
   EXPECT_EQ(bodkin("-q case check " + copy).exit_code, 0);
 
-  // Curves of tissue at rest are those of the patient who does not breathe.
+  // Curves of tissue at rest are those of a patient who does not breathe.
   const std::string at_rest = bodkin("-q --json profile " + patient() + " -o " + copy + "/a").output;
   const std::string breathes = bodkin("-q --json profile " + copy + " -o " + copy + "/b").output;
   EXPECT_EQ(nlohmann::json::parse(at_rest).at("events"), nlohmann::json::parse(breathes).at("events"));
 
-  // A simulated hand asks the patient to hold the breath, who does for 2 s: its session replays to the bit.
+  // A simulated hand asks the patient to hold the breath for 2 s: its session replays to the bit.
   const std::string session = copy + "/s.bodkin";
   const Outcome ran = bodkin("-q run " + copy + " --operator expert --seed 3 -o " + session);
   ASSERT_EQ(ran.exit_code, 0) << ran.text();

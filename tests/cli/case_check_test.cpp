@@ -56,7 +56,7 @@ class CaseCheck : public BodkinCommand {
 TEST_F(CaseCheck, a_synthetic_patient_is_sound) {
   const Outcome outcome = check();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, HasSubstr("is sound: "));
+  EXPECT_THAT(outcome.output, HasSubstr("is valid: "));
   EXPECT_THAT(outcome.output, HasSubstr("22G"));
 }
 
@@ -83,7 +83,7 @@ TEST_F(CaseCheck, every_problem_is_said_at_once) {
   EXPECT_THAT(outcome.output, HasSubstr("has changed since the case was made"));
   EXPECT_THAT(outcome.output, HasSubstr("does not exist"));
   EXPECT_THAT(outcome.output, HasSubstr("which case.xml does not list as a structure"));
-  EXPECT_THAT(outcome.output, HasSubstr("is not sound: 3 problems"));
+  EXPECT_THAT(outcome.output, HasSubstr("is not valid: 3 problems"));
 }
 
 TEST_F(CaseCheck, damaged_volumes_are_problems_and_not_crashes) {
@@ -93,7 +93,7 @@ TEST_F(CaseCheck, damaged_volumes_are_problems_and_not_crashes) {
   const Outcome outcome = check();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.output, HasSubstr(ct.filename().string()));
-  EXPECT_THAT(outcome.output, HasSubstr("is not sound: 2 problems"));
+  EXPECT_THAT(outcome.output, HasSubstr("is not valid: 2 problems"));
 }
 
 TEST_F(CaseCheck, a_path_that_misses_the_body_is_a_problem) {

@@ -45,7 +45,7 @@ TEST_F(CaseMesh, meshes_a_patient_once_and_tells_table_picture_and_json) {
   EXPECT_NEAR(result.at("nodes").get<double>(), 4000.0, 600.0);
   EXPECT_GT(result.at("dihedral_angle_deg").at(0).get<double>(), 1.0);
   EXPECT_GT(result.at("element_volume_mm3").at(0).get<double>(), 0.0);
-  // Near the path the mesh is finer than elsewhere, and as fine as it says.
+  // Near the path the mesh is finer than elsewhere, and has the stated size.
   const double fine = 2.0 * result.at("scale").get<double>();
   EXPECT_NEAR(result.at("corridor").at("mean_edge_mm").get<double>() / fine, 1.0, 0.25);
   EXPECT_LT(result.at("corridor").at("mean_edge_mm").get<double>(), result.at("edge_mm").at("mean").get<double>());
@@ -117,7 +117,7 @@ TEST_F(CaseMesh, imports_a_mesh_with_regions_and_keeps_it) {
   EXPECT_EQ(bodkin("-q case mesh imported --import copy.vtu").exit_code, 0);
   EXPECT_EQ(text_of("imported/mesh.vtu"), kept);
 
-  // What somebody has changed is not replaced unasked.
+  // Changed files are not replaced without request.
   write("imported/mesh.vtu", kept + "\n");
   const Outcome refused = bodkin("-q " + command);
   EXPECT_EQ(refused.exit_code, 2);
@@ -127,7 +127,7 @@ TEST_F(CaseMesh, imports_a_mesh_with_regions_and_keeps_it) {
   EXPECT_EQ(text_of("imported/mesh.vtu"), kept);
 }
 
-// The planned path does not meet it, so that the picture shows another cut.
+// The planned path does not meet it, so the image shows another cut.
 TEST_F(CaseMesh, imports_a_mesh_beside_the_path) {
   ASSERT_EQ(bodkin("-q case synthesize lumbar beside --spacing 3").exit_code, 0);
   const json shown = json::parse(bodkin("--json case show beside -o shown.svg").output);
@@ -154,7 +154,7 @@ TEST_F(CaseMesh, case_check_finds_a_damaged_mesh) {
     const Outcome said = bodkin("-q case check damaged");
     EXPECT_EQ(said.exit_code, 2);
     EXPECT_THAT(said.output, HasSubstr(sentence));
-    EXPECT_THAT(said.output, HasSubstr("is not sound: 1 problem"));
+    EXPECT_THAT(said.output, HasSubstr("is not valid: 1 problem"));
   };
   write("damaged/mesh.vtu", kept.substr(0, kept.size() / 2));
   expect_said("mesh.vtu");

@@ -29,7 +29,7 @@ class CaseNew : public BodkinCommand {
     fs::create_directories(folder_);
   }
 
-  // Exit code 2, one sentence that says `what`, and no folder, finished or half-made.
+  // Exit code 2, one sentence containing `what`, and no folder, finished or partial.
   void expect_refusal(const std::string& arguments, const std::string& what) const {
     const Outcome outcome = bodkin(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.errors;
@@ -72,7 +72,7 @@ TEST_F(CaseNew, options_out_of_range_are_refused_before_anything_is_read) {
   expect_refusal(start + "--needle 18,0", "a length of 1 to 1000 mm");
   expect_refusal(start + "--needle 18,90,blunt", "as the tip");
   expect_refusal(start + "--level L3", "--level is 'L3'; expected an interspace, T12_L1 to L5_S1");
-  expect_refusal(start + "--level L3_L4 --entry 1,2,3 --target 4,5,6", "say either");
+  expect_refusal(start + "--level L3_L4 --entry 1,2,3 --target 4,5,6", "give only one of them");
   expect_refusal(start + "--lowest-vertebra five", "--lowest-vertebra is 'five'");
   expect_refusal(start + "--conus C3", "--conus is 'C3'");
   expect_refusal(start + "--age -1", "--age");
@@ -137,8 +137,8 @@ TEST_F(CaseNew, levels_are_planned_by_name_and_never_in_the_cord) {
   EXPECT_LT(height(labelled + "--age 0"), 292.0) << "a newborn's cord ends at L3";
 }
 
-// Every procedure that goes into the canal is planned no higher than L2/L3, and above it only by the user's word,
-// where no border cuts a vertebra and no cord lies.
+// Every procedure that goes into the canal is planned no higher than L2/L3, and above it only at the user's request,
+// without a cut vertebra or cord.
 TEST_F(CaseNew, no_procedure_is_planned_above_l2_l3_without_the_users_word) {
   if (data().empty()) GTEST_SKIP() << "no real CT data: set BODKIN_DATA to its folder";
   const auto from = [&](const std::string& images) {
@@ -228,37 +228,37 @@ TEST_F(CaseNew, what_a_killed_run_left_is_cleared_by_the_next) {
 }
 
 TEST_F(CaseNew, a_run_that_is_told_to_end_leaves_nothing) {
-  struct Told {
+  struct InterruptedRun {
     int signal;
     std::vector<const char*> command;
   };
-  const std::vector<Told> runs = {
+  const std::vector<InterruptedRun> runs = {
       {SIGTERM, {"lumbar", "patient", "--spacing", "1"}},
       {SIGHUP, {"lumbar", "patient", "--spacing", "1"}},
       {SIGTERM, {"body", "patient", "--spacing", "3"}},
       {SIGINT, {"body", "patient", "--point", "GB30", "--spacing", "0.8", "--width", "400"}},
   };
-  for (const Told& told : runs) {
+  for (const InterruptedRun& run : runs) {
     std::vector<const char*> words = {"bodkin", "-q", "case", "synthesize"};
-    words.insert(words.end(), told.command.begin(), told.command.end());
+    words.insert(words.end(), run.command.begin(), run.command.end());
     words.push_back(nullptr);
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      std::signal(told.signal, SIG_DFL);  // the tests may run where it is ignored
+      std::signal(run.signal, SIG_DFL);  // the tests may run where it is ignored
       if (chdir(folder_.c_str()) != 0) _exit(99);
       execv(BODKIN_BUILD "/bin/bodkin", const_cast<char**>(words.data()));
       _exit(98);
     }
-    // A case in the making shows as soon as the work begins, and takes seconds.
+    // A partial case is visible as soon as the work begins, and takes seconds.
     const auto nothing_yet = [&] { return fs::directory_iterator(folder_) == fs::directory_iterator(); };
     for (int n = 0; n < 6000 && nothing_yet(); ++n) usleep(10'000);
     EXPECT_FALSE(nothing_yet()) << "no case was begun";
-    kill(child, told.signal);
+    kill(child, run.signal);
     int status = 0;
     waitpid(child, &status, 0);
-    EXPECT_TRUE(WIFSIGNALED(status)) << told.command[0];
-    EXPECT_EQ(WTERMSIG(status), told.signal) << told.command[0];
+    EXPECT_TRUE(WIFSIGNALED(status)) << run.command[0];
+    EXPECT_EQ(WTERMSIG(status), run.signal) << run.command[0];
     EXPECT_TRUE(nothing_yet()) << *listing().begin();
   }
 }

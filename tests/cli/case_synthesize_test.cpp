@@ -51,7 +51,7 @@ TEST_F(CaseSynthesize, a_seed_draws_a_patient_and_what_is_given_stays) {
   EXPECT_NE(said("drawn"), said("other").replace(said("other").find("seed 4"), 6, "seed 3"));
   EXPECT_THAT(said("old"), HasSubstr("88 years"));
   EXPECT_THAT(said("old"), HasSubstr("ligaments calcified by 0.5"));
-  // A calcified patient has a library of his own, with which the case is whole.
+  // A calcified patient has a separate library, which makes the case complete.
   EXPECT_THAT(text_of("old/tissues.xml"), HasSubstr("calcified_ligament"));
   EXPECT_EQ(bodkin("case check old").exit_code, 0);
   const auto weight = [](const std::string& text) { return text.substr(text.find(" m, "), 9); };

@@ -44,7 +44,7 @@ TEST_F(CaseWarpCommand, writes_where_the_patient_lies_before_he_is_bent) {
   EXPECT_EQ(placed["scale"], 1.0);
   EXPECT_NEAR(placed["fixed_from_moving"][3].get<double>(), 0.0, 1.0);
   EXPECT_NEAR(placed["fixed_from_moving"][7].get<double>(), 0.0, 1.0);
-  // Nothing is written over what is read.
+  // Input files are never overwritten.
   const Outcome refused =
       bodkin("-q case warp " + patient() + " " + patient() + " never --registration aside.json --placed aside.json");
   EXPECT_EQ(refused.exit_code, 2);

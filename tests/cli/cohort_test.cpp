@@ -37,7 +37,7 @@ TEST_F(CohortCommand, under_mpirun_makes_the_same_table_as_one_process) {
     EXPECT_EQ(entry.path().filename().string().find("three.csv.partial"), std::string::npos) << entry.path();
 }
 
-// As by a power cut: nothing of the program runs after it.
+// As in a power cut: no code of the program runs after it.
 TEST_F(CohortCommand, killed_in_between_goes_on_where_it_was_to_the_same_table) {
   write("plan.xml", plan);
   ASSERT_EQ(bodkin("-q cohort plan.xml --trainees 60 --seed 5 -o whole.csv").exit_code, 0);

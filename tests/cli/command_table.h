@@ -5,7 +5,7 @@
 
 namespace bodkin_test {
 
-// Every command with its arguments and options, as a person may give them.
+// Every command with its arguments and options.
 enum class Kind { text, texts, point, number, whole, toggle };
 
 struct OptionRow {
@@ -23,7 +23,7 @@ struct CommandRow {
 };
 
 const std::vector<CommandRow>& command_table();
-// Those of a build with OpenCV, which are a part of it; none in another build.
+// The commands of a build with OpenCV; none in other builds.
 std::vector<CommandRow> tracking_commands();
 
 }  // namespace bodkin_test

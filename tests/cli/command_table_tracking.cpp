@@ -31,7 +31,7 @@ std::vector<CommandRow> tracking_commands() {
         {"--rate", Kind::number, {"0", "1001", "-1"}},
         {"--seconds", Kind::number, {"-1", "86401"}},
         {"--csv", Kind::text}}},
-      // A further word is taken for a command, which markers_test.cpp tries.
+      // A further word is treated as a command, tested by markers_test.cpp.
       {"markers",
        "",
        "",

@@ -56,7 +56,7 @@ TEST_F(CompareCommand, takes_names_and_a_motion_and_tells_in_json) {
   EXPECT_EQ(phases[3].at("from_s"), phases[3].at("to_s"));
 }
 
-// Whatever the case says.
+// Independent of the case.
 TEST_F(CompareCommand, is_of_one_description_of_each_tissue_unless_the_tables_are_asked_for) {
   const fs::path of_tables = folder_ / "of_tables";
   fs::copy(patient(), of_tables, fs::copy_options::recursive);

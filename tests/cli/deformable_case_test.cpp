@@ -1,4 +1,4 @@
-// A patient felt through its mesh, as a user does it, and that mesh solved by CalculiX.
+// A patient with a mesh, as run by a user, and that mesh solved by CalculiX.
 #include <cmath>
 #include <filesystem>
 
@@ -53,17 +53,17 @@ TEST_F(DeformableCase, a_patient_is_felt_through_its_mesh) {
   EXPECT_THAT(paper.errors, HasSubstr("the needle meets points of its line in a body of"));
   const json said = json::parse(paper.output);
   EXPECT_FALSE(texts_in(said, "skin gives way at 1.5").empty()) << paper.output;
-  // Friction of the shaft comes on top of what the ligament itself takes.
+  // Friction of the shaft adds to the ligament's own force.
   const std::vector<std::string> flavum = texts_in(said, "ligamentum flavum gives way at");
   ASSERT_EQ(flavum.size(), 1U) << paper.output;
-  EXPECT_THAT(flavum.front(), ContainsRegex("N, 4\\.7[01] N of it its own")) << "4.7 N, and what a tick adds";
+  EXPECT_THAT(flavum.front(), ContainsRegex("N, of which 4\\.7[01] N are its own")) << "4.7 N, and what a tick adds";
   EXPECT_FALSE(texts_in(said, "loss of resistance").empty()) << paper.output;
   EXPECT_GT(peak_in(said, "interspinous ligament"), 0.2);
   EXPECT_LT(peak_in(said, "interspinous ligament"), 2.0);
   const Outcome again = bodkin("--json profile patient --beyond 10" + embedded + "-o again");
   EXPECT_EQ(text_of("paper.csv"), text_of("again.csv"));
 
-  // A replay needs the tissues and the mesh as they were.
+  // A replay needs the original tissues and mesh.
   ASSERT_EQ(bodkin("-q run patient --max-time 2" + embedded + "-o felt.bodkin").exit_code, 0);
   ASSERT_EQ(bodkin("-q replay felt.bodkin").exit_code, 0);
   fs::copy(folder_ / "patient", folder_ / "remeshed", fs::copy_options::recursive);
@@ -120,7 +120,7 @@ TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_re
   fs::resize_file(folder_ / "patient" / ::bodkin::patient::body_file_name, 1000);
   const Outcome anew = bodkin(command);
   EXPECT_EQ(anew.exit_code, 0);
-  EXPECT_THAT(anew.errors, HasSubstr("the body is prepared anew"));
+  EXPECT_THAT(anew.errors, HasSubstr("the body is prepared again"));
 
   const std::string points = "--json profile patient --resistance embedded_needle -o points";
   const Outcome first = bodkin(points);
@@ -134,7 +134,7 @@ TEST_F(DeformableCase, a_damaged_body_file_is_made_anew_and_a_damaged_mesh_is_re
   fs::resize_file(factor, 1000);
   const Outcome again = bodkin(points);
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_THAT(again.errors, HasSubstr("the body is prepared anew"));
+  EXPECT_THAT(again.errors, HasSubstr("the body is prepared again"));
   EXPECT_EQ(text_of("points.csv"), curve);
   EXPECT_GT(fs::file_size(factor), 1000U);
   fs::resize_file(folder_ / "patient/mesh.vtu", 1000);

@@ -11,12 +11,12 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-const std::string check_vendor = "--settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+const std::string check_vendor = "--settings library=" BODKIN_MOCKS "/force_dimension/libdrd.so";
 
-// A trouble of the simulated device, for as long as this lives.
+// A fault of the simulated device, while this lives.
 struct Trouble {
-  explicit Trouble(const char* what) { setenv("BODKIN_STAND_IN", what, 1); }
-  ~Trouble() { unsetenv("BODKIN_STAND_IN"); }
+  explicit Trouble(const char* what) { setenv("BODKIN_MOCK", what, 1); }
+  ~Trouble() { unsetenv("BODKIN_MOCK"); }
   Trouble(const Trouble&) = delete;
   Trouble& operator=(const Trouble&) = delete;
 };
@@ -25,7 +25,7 @@ using DevicesCheckCommand = BodkinCommand;
 
 TEST_F(DevicesCheckCommand, counts_rounds_and_asks_for_no_force) {
   const Outcome outcome = bodkin("devices check force_dimension --seconds 1 --json -q " + check_vendor);
-  // On a busy machine the device is rightly called not ready: too many rounds are late.
+  // On a busy machine the device is rightly reported not ready: too many rounds are late.
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.text();
   const json seen = json::parse(outcome.output);
   EXPECT_GT(seen.at("rounds").get<int>(), 10);
@@ -38,7 +38,7 @@ TEST_F(DevicesCheckCommand, counts_rounds_and_asks_for_no_force) {
 TEST_F(DevicesCheckCommand, drives_a_service_in_another_program) {
   // The service ends with its standard input, which the shell's pipe holds open for as long as the check may take.
   const std::string port = (folder_ / "port").string();
-  const std::string line = "sleep 6 | '" BODKIN_STAND_INS "/haply/haply_service' > '" + port +
+  const std::string line = "sleep 6 | '" BODKIN_MOCKS "/haply/haply_service' > '" + port +
                            "' & for wait in $(seq 50); do test -s '" + port + "' && break; sleep 0.1; done";
   ASSERT_EQ(std::system(line.c_str()), 0);
   const Outcome outcome = bodkin("devices check haply --seconds 1 --json -q --settings port=" +
@@ -64,10 +64,10 @@ TEST_F(DevicesCheckCommand, takes_a_simulated_hand) {
 
 // A hand that goes along the vendor's second axis, 80 mm to the operator's right.
 TEST_F(DevicesCheckCommand, leads_through_the_protocol_and_writes_what_it_saw) {
-  setenv("BODKIN_STAND_IN_HAND", "sweep", 1);
+  setenv("BODKIN_MOCK_HAND", "sweep", 1);
   const Outcome outcome =
       bodkin("devices check force_dimension --protocol seen.json --without-force --seconds 0.5 " + check_vendor);
-  unsetenv("BODKIN_STAND_IN_HAND");
+  unsetenv("BODKIN_MOCK_HAND");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
   EXPECT_THAT(outcome.output, HasSubstr("away: Move it 5 cm or more straight away from you"));
   EXPECT_THAT(outcome.output, HasSubstr("seen.json"));
@@ -89,15 +89,15 @@ TEST_F(DevicesCheckCommand, leads_through_the_protocol_and_writes_what_it_saw) {
 
 TEST_F(DevicesCheckCommand, the_protocol_pushes_a_hand_gently_and_keeps_the_force_low_without_real_time) {
   const LittleLockedMemory little;
-  setenv("BODKIN_STAND_IN_HAND", "loose", 1);
+  setenv("BODKIN_MOCK_HAND", "loose", 1);
   const Outcome outcome =
       bodkin("devices check force_dimension --protocol weighed.json --seconds 0.4 " + check_vendor);
-  unsetenv("BODKIN_STAND_IN_HAND");
+  unsetenv("BODKIN_MOCK_HAND");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text();
   EXPECT_THAT(outcome.errors, HasSubstr("kept below 1.5 N"));
   const json seen = json::parse(text_of("weighed.json"));
   const json& force = seen.at("force");
-  // What is not found, as on a machine that holds up the loop, is a sentence.
+  // A missing result, as on a machine that delays the loop, is a sentence.
   EXPECT_TRUE(force.contains("weight_N") || force.contains("weight_against"));
   EXPECT_TRUE(force.contains("delay_s") || force.contains("delay_against"));
 }

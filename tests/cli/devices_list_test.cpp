@@ -15,8 +15,8 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const std::string list_vendor = "--settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
-const std::string plug_in = BODKIN_STAND_INS "/plug_in/example_driver.so";
+const std::string list_vendor = "--settings library=" BODKIN_MOCKS "/force_dimension/libdrd.so";
+const std::string plug_in = BODKIN_MOCKS "/plug_in/example_driver.so";
 
 using DevicesListCommand = BodkinCommand;
 
@@ -51,13 +51,13 @@ TEST_F(DevicesListCommand, takes_a_driver_of_ones_own) {
   EXPECT_FALSE(found[0].at("devices").empty()) << found;
 }
 
-// A folder of drivers, copies of those that the tests build, for as long as this lives.
+// A folder of drivers, copies of those built by the tests, while this lives.
 class DriverFolder {
  public:
   explicit DriverFolder(const std::vector<std::pair<std::string, std::string>>& copies) {
     std::filesystem::create_directories(folder_);
     for (const auto& [from, to] : copies) {
-      std::filesystem::copy_file(BODKIN_STAND_INS "/plug_in/" + from + ".so", folder_ / (to + ".so"));
+      std::filesystem::copy_file(BODKIN_MOCKS "/plug_in/" + from + ".so", folder_ / (to + ".so"));
     }
     setenv("BODKIN_DRIVERS", folder_.c_str(), 1);
   }
@@ -130,15 +130,14 @@ TEST_F(DevicesListCommand, two_drivers_of_one_name_are_told_apart_by_their_paths
 }
 
 TEST_F(DevicesListCommand, two_devices_of_one_identity_are_told) {
-  const json found =
-      json::parse(bodkin("devices list --json -q --driver " BODKIN_STAND_INS "/plug_in/twins.so").output);
+  const json found = json::parse(bodkin("devices list --json -q --driver " BODKIN_MOCKS "/plug_in/twins.so").output);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].at("devices").size(), 2u);
   EXPECT_THAT(found[0].at("ambiguous")[0].get<std::string>(), HasSubstr("two devices have the identity '7': unplug"));
 }
 
 TEST_F(DevicesListCommand, of_one_driver_that_breaks_is_one_sentence) {
-  const Outcome outcome = bodkin("devices list --driver " BODKIN_STAND_INS "/plug_in/crashes.so");
+  const Outcome outcome = bodkin("devices list --driver " BODKIN_MOCKS "/plug_in/crashes.so");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.errors, HasSubstr("crashed"));
   EXPECT_EQ(lines_of(outcome.errors), 1) << outcome.errors;

@@ -15,7 +15,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string touched_device = " --settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+const std::string touched_device = " --settings library=" BODKIN_MOCKS "/force_dimension/libdrd.so";
 
 class DevicesTouchCommand : public PatientCommand {
  protected:
@@ -24,18 +24,18 @@ class DevicesTouchCommand : public PatientCommand {
   }
 };
 
-// The stand-in's hand turns the tool about a point 50 mm along its third axis, as in the hole of a mock table.
+// The mock's hand turns the tool about a point 50 mm along its third axis, as in the hole of a mock table.
 TEST_F(DevicesTouchCommand, finds_the_hole_in_which_the_needle_turns) {
   setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
   const Outcome unknown = touch("--points hole,left,right");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.errors, HasSubstr("--steps tip,axis"));
-  setenv("BODKIN_STAND_IN_HAND", "swivel", 1);
+  setenv("BODKIN_MOCK_HAND", "swivel", 1);
   const Outcome calibrated =
       bodkin("devices calibrate force_dimension -q --countdown 0 --seconds 3 --steps tip" + touched_device);
   EXPECT_EQ(calibrated.exit_code, 0) << calibrated.text();
   const Outcome outcome = touch("--points hole,left,right");
-  unsetenv("BODKIN_STAND_IN_HAND");
+  unsetenv("BODKIN_MOCK_HAND");
   unsetenv("XDG_CONFIG_HOME");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
   const json found = json::parse(outcome.output);
@@ -56,15 +56,15 @@ TEST_F(DevicesTouchCommand, refuses_names_that_are_none_and_a_tip_that_moves) {
     EXPECT_THAT(refused.errors, HasSubstr("--points")) << wrong;
   }
   std::filesystem::remove(folder_ / "touched.csv");
-  setenv("BODKIN_STAND_IN_HAND", "wander", 1);
+  setenv("BODKIN_MOCK_HAND", "wander", 1);
   const Outcome moved = touch("--points a,b,c --no-calibration");
-  unsetenv("BODKIN_STAND_IN_HAND");
+  unsetenv("BODKIN_MOCK_HAND");
   EXPECT_EQ(moved.exit_code, 2) << moved.text();
   EXPECT_THAT(moved.errors, HasSubstr("the tip moved by"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "touched.csv"));
 }
 
-// The simulated hand begins in the middle of its workspace: there the patient is where the registration says.
+// The simulated hand begins in the middle of its workspace: there the patient is at the registered place.
 TEST_F(DevicesTouchCommand, the_needle_of_a_session_is_where_the_registration_says) {
   std::ofstream(folder_ / "placed.json") << R"({"fixed_from_moving":[-1,0,0,10, 0,0,1,120, 0,1,0,-20, 0,0,0,1],)"
                                          << R"("scale":1.0,"fre_rms_mm":0.3})";
@@ -87,7 +87,7 @@ TEST_F(DevicesTouchCommand, the_needle_of_a_session_is_where_the_registration_sa
   EXPECT_LT((in_front - in_front.norm() * needle.linear().col(2)).norm(), 1e-6) << "along the needle";
 
   std::ofstream(folder_ / "wrong.json") << R"({"fixed_from_moving":[1,0,0]})";
-  for (const auto& [options, words] : {std::pair{"--mannequin wrong.json", "no rigid placement"},
+  for (const auto& [options, words] : {std::pair{"--mannequin wrong.json", "not a rigid placement"},
                                        {"--mannequin none.json", "none.json"},
                                        {"--mannequin placed.json --scale 2", "leave out --scale"},
                                        {"--hub", "--hub needs --mannequin"}}) {

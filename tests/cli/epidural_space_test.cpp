@@ -1,4 +1,4 @@
-// Whether the epidural space can be found by feeling in the deformable body of the default patient.
+// Whether the epidural space can be found by feel in the deformable body of the default patient.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -38,7 +38,7 @@ class EpiduralSpace : public MeshedPatient {
   }
 };
 
-// mm, depth of the hand's tip at the first event whose text begins so; negative: there is none.
+// mm, depth of the hand's tip at the first event with this prefix; negative: none.
 double depth_of(const json& profile, const std::string& text) {
   for (const json& event : profile.at("events"))
     if (event.at("text").get<std::string>().rfind(text, 0) == 0) return event.at("depth_mm").get<double>();
@@ -56,11 +56,11 @@ constexpr double least_space = 2.5;  // mm of the hand between the loss of resis
 using Whole = std::shared_ptr<const fem::ContactBody>;
 
 struct Attempt {
-  bool found = false;      // it rests in the epidural space: after the loss of resistance, the dura whole
+  bool found = false;      // it rests in the epidural space: after the loss of resistance, the dura intact
   bool left_line = false;  // it was past the points of its line
 };
 
-// The needle goes where the hand leads it, as in `bodkin run`.
+// The needle follows the hand, as in `bodkin run`.
 Attempt attempt_of(const anatomy::Case& patient, Whole whole, const simulation::OperatorScript& script,
                    std::uint64_t seed) {
   const anatomy::NeedlePath& planned = *patient.description.procedure.path;
@@ -149,7 +149,7 @@ TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_and_novices_mostly_
   }
 }
 
-// With another needle, the one that the procedure takes.
+// With the procedure's own needle.
 TEST_F(EpiduralSpace, experts_find_it_in_the_deformable_body_with_the_needle_of_an_epidural) {
   for (const char* command : {"-q case synthesize lumbar epidural --procedure epidural", "-q case mesh epidural"}) {
     const Outcome made = bodkin(command);

@@ -1,4 +1,4 @@
-// A session goes to 3D Slicer's and PLUS's files and comes back as one that is judged alike.
+// A session exported to 3D Slicer's and PLUS's files and imported again gets the same score.
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
@@ -44,7 +44,7 @@ TEST_F(ImportCommand, refuses_what_is_no_recording_of_a_needle) {
     return refused.errors;
   };
   EXPECT_THAT(refusal("nothing.xml patient"), HasSubstr("nothing.xml: cannot be read"));
-  EXPECT_THAT(refusal("text.txt patient"), HasSubstr("no sequence of PLUS"));
+  EXPECT_THAT(refusal("text.txt patient"), HasSubstr("not a sequence of PLUS"));
   EXPECT_THAT(refusal("probe.xml patient"), HasSubstr("has no NeedleTipToReference; it has ProbeToReference"));
   EXPECT_THAT(refusal("probe.xml patient --points down"), HasSubstr("--points is 'down'"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));

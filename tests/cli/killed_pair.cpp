@@ -37,7 +37,7 @@ bool comes_about(std::chrono::milliseconds most, const Reached& reached) {
   return reached();
 }
 
-// One that is free, below those that the system gives to whoever connects: between two servers nobody takes it.
+// A free port, below those that the system assigns to clients, so that it stays free between two servers.
 std::uint16_t free_port() {
   bodkin::Random random(static_cast<std::uint64_t>(::getpid()));
   constexpr std::uint64_t lowest = 20000, count = 12000;
@@ -143,7 +143,7 @@ void KilledPair::listen_until_killed() const {
   }
 }
 
-// Until the client has been told more than now.
+// Waits until the client has received more than now.
 bool KilledPair::both_go_on() const {
   const std::uint64_t before = board_->batches;
   return comes_about(30s, [&] { return board_->is_connected && board_->rows > 0 && board_->batches > before + 2; });
@@ -183,7 +183,7 @@ void KilledPair::kill_client() {
 void KilledPair::replace_server() {
   ++counts_.servers;
   server_->kill();
-  // What was on its way to the client has then arrived.
+  // By then, data in transit to the client have arrived.
   comes_about(10s, [&] { return !board_->is_connected; });
   check_recording(heard());
   board_->rows = 0;

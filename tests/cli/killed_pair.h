@@ -14,14 +14,14 @@
 
 namespace bodkin_test {
 
-// What was found while servers and clients were killed. The faults are 0 when all is well.
+// Findings during the kills of servers and clients. The faults are 0 if all is well.
 struct KillCounts {
   int servers = 0, clients = 0;     // that were killed
   int while_starting = 0;           // of these servers
   int frozen = 0;                   // of these clients: before, for a while
   std::uint64_t rows_compared = 0;  // ticks that a client had been told of, and that the recording has
   std::uint64_t ticks_read = 0;     // in the recordings of killed servers
-  double longest_loss = 0.0;        // s at the end of a recording that a client had been told of and that is missing
+  double longest_loss = 0.0;        // s missing at the end of a recording that a client had received
   int stuck = 0;                    // faults: the other side did not go on within half a minute
   int unreadable = 0;               // the recording of a killed server cannot be read
   int holes = 0;                    // recordings in which a tick before the last is missing
@@ -45,23 +45,23 @@ struct KillCounts {
 // A client is a copy of this process, which must not have other threads when it makes one.
 class KilledPair {
  public:
-  // `patient`: a case that a simulated hand can go into. Files come into `folder`, which must exist.
+  // `patient`: a case for a simulated hand. Files go into `folder`, which must exist.
   KilledPair(std::filesystem::path folder, std::filesystem::path patient, std::uint64_t seed);
   ~KilledPair();
   KilledPair(const KilledPair&) = delete;
   KilledPair& operator=(const KilledPair&) = delete;
 
-  // After a random time; returns when both go on again, or have not for half a minute. Now and then a server is
-  // killed once more while it starts.
+  // After a random time; returns when both continue, or have not for half a minute. Occasionally a server is killed
+  // again during its start.
   void kill_one();
   const KillCounts& counts() const noexcept { return counts_; }
 
  private:
-  // A tick as the server told it.
+  // A tick as sent by the server.
   struct Row {
     double time = 0.0, depth = 0.0;  // s, mm
   };
-  // What a client writes and this process reads; in memory that both have.
+  // Data written by a client and read by this process, in shared memory.
   struct Board {
     std::atomic<bool> is_connected;
     std::atomic<std::uint64_t> batches;  // of ticks, heard by any client so far

@@ -1,4 +1,4 @@
-// Who asks for too few nodes is told how many it takes, and that number is enough.
+// A request for too few nodes is answered with the necessary number, which suffices.
 #include <set>
 #include <string>
 
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class MeshAdvice : public BodkinCommand {
  protected:
-  // The number that is advised instead of this one, which is too small; 0: none is.
+  // The number advised instead of this one, which is too small; 0: none.
   static int advised(const std::string& patient, int nodes) {
     const Outcome few = bodkin("-q case mesh " + patient + " --nodes " + std::to_string(nodes));
     EXPECT_EQ(few.exit_code, 2) << patient << " " << nodes;
@@ -31,7 +31,7 @@ class MeshAdvice : public BodkinCommand {
     EXPECT_NEAR(json::parse(made.output).at("nodes").get<double>() / nodes, 1.0, 0.12) << patient;
   }
 
-  // Whatever is asked for, one number is advised: the smallest, and it works; so do those above it.
+  // For any request one number is advised: the smallest; it works, and so do larger ones.
   static void expect_good_advice(const std::string& patient, const std::set<int>& too_few) {
     std::set<int> advice;
     for (const int nodes : too_few) advice.insert(advised(patient, nodes));
@@ -60,7 +60,7 @@ TEST_F(MeshAdvice, is_the_smallest_number_that_works_for_others) {
   expect_good_advice("somebody", {1000});
 }
 
-// Fluid in a single voxel, which is merged however fine the mesh is: no number helps.
+// Fluid in a single voxel, which is merged in any mesh: no number helps.
 TEST_F(MeshAdvice, names_no_number_where_none_works) {
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case synthesize lumbar patient --spacing 2 --vary --seed 11").exit_code, 0);

@@ -1,4 +1,4 @@
-// A probe in the second hand presses the body while the first one puts the needle in, as a user does it.
+// A probe in the second hand presses the body while the first one inserts the needle, as run by a user.
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -39,7 +39,7 @@ TEST_F(MovingBodyCommand, words_that_say_no_moving_body_are_one_sentence) {
   }
 }
 
-// The probe is down at 3 s, 25 mm beside the needle, which comes to the skin at 6.5 s.
+// The probe is down at 3 s, 25 mm beside the needle, which reaches the skin at 6.5 s.
 TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_needle) {
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case mesh patient --nodes 1500 --merge-layers").exit_code, 0);
@@ -71,13 +71,13 @@ TEST_F(MovingBodyCommand, a_probe_presses_the_body_and_moves_the_tissue_at_the_n
   const Outcome replay = bodkin("-q replay pressed.bodkin");
   EXPECT_EQ(replay.exit_code, 0) << replay.text();
   EXPECT_THAT(replay.output, HasSubstr("identical: "));
-  EXPECT_FALSE(session.body_taken.empty());
+  EXPECT_FALSE(session.applied_body_steps.empty());
   EXPECT_EQ(bodkin("-q export pressed.bodkin --csv ticks.csv --second probe.csv").exit_code, 0);
   ASSERT_EQ(bodkin("-q report pressed.bodkin -o pressed.html").exit_code, 0);
-  EXPECT_THAT(text_of("pressed.html"), HasSubstr("body that moved on its own time"));
+  EXPECT_THAT(text_of("pressed.html"), HasSubstr("moving body"));
   EXPECT_THAT(text_of("pressed.html"), HasSubstr("the needle is in tissue that the probe has moved"));
 
-  // Where the needle enters nothing that was pressed, its ticks are those of the static body.
+  // If the needle enters no pressed tissue, its ticks are those of the static body.
   const Outcome beside = bodkin(
       "-q perform patient simulated --settings 'speed_mm_s=200 depth_mm=5 wait_s=0' --body 'moving width_mm=50' " +
       two + "-o beside.bodkin");

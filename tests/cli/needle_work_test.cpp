@@ -1,5 +1,5 @@
-// Whether a needle that is pushed, drawn and tilted in the mesh of the default patient, fast and slowly, ever gives
-// its hand work that the hand did not put in.
+// Whether a needle pushed, withdrawn and tilted in the mesh of the default patient, fast and slowly, ever returns
+// more work to the hand than was put in.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -26,7 +26,7 @@ constexpr double widest_tilt = 0.05;    // tangent, 3 degrees
 
 class NeedleWork : public MeshedPatient {
  protected:
-  // The points of its planned line, with these needles left in the body.
+  // The points of the planned line, with these needles left in the body.
   static anatomy::Case patient_with(anatomy::Mechanics mechanics, const std::vector<anatomy::NeedlePath>& left) {
     anatomy::Case patient = io::load_case(folder_ / "patient");
     patient.description.haptics.mechanics = mechanics;
@@ -43,7 +43,7 @@ struct Found {
   double of_other_forces = 0.0;          // N
 };
 
-// `friction`: of what the patient has; without any nothing but the equations of a tick takes energy.
+// `friction`: share of the patient's; without it only the equations of a tick dissipate energy.
 Found push_about(const anatomy::Case& patient, double friction, std::uint64_t seed) {
   fem::ContactTissues tissues = simulation::contact_tissues(patient);
   for (fem::ContactTissue& tissue : tissues) tissue.friction *= friction;

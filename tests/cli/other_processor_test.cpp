@@ -72,7 +72,7 @@ TEST_F(OtherProcessor, replays_sessions_to_the_bit) {
   for (const std::string& attempt : attempts) expect_the_same(attempt);
 }
 
-// The simulated hand too: the same seed gives the same attempt.
+// Also the simulated hand: the same seed gives the same attempt.
 TEST_F(OtherProcessor, gives_the_same_attempts) {
   if (bodkin::sanitized) GTEST_SKIP() << "the hand is the release build's matter";
   if (exponentials("") == exponentials(old_processor))

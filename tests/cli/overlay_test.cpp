@@ -83,13 +83,12 @@ TEST_F(Overlay, a_probe_deforms_a_patient_that_has_a_mesh) {
     const Outcome made = bodkin("--quiet overlay " + std::string(patient) + " pressing --ultrasound -o " + to);
     ASSERT_EQ(made.exit_code, 0) << made.text();
   }
-  // The first picture has no time before it in which a body could have moved.
+  // The first image has no previous one to show motion.
   EXPECT_NE(text_of("of_patient/overlay_00002.png"), text_of("of_meshed/overlay_00002.png"));
 }
 #endif
 
-// Pictures are read and tracked while others are drawn. The needle moves by up to 15 pixels from one to the
-// next.
+// Images are read and tracked while others are drawn. The needle moves by up to 15 pixels between images.
 TEST_F(Overlay, draws_every_picture_of_a_moving_needle_with_its_own_pose) {
   using namespace ::bodkin;
   using namespace ::bodkin::tracking;

@@ -1,5 +1,5 @@
-// What a needle feels in a patient does not depend on how finely the patient is meshed: along the planned path, and
-// along a line that the mesh was not made for.
+// The forces on a needle do not depend on the fineness of the patient's mesh: along the planned path, and along a
+// line for which the mesh was not refined.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -14,8 +14,8 @@
 namespace bodkin_test {
 namespace {
 
-// Where layers gave way, mm, and the force at depths, N.
-struct FeltOnTheWay {
+// Depths of punctures, mm, and the force at depths, N.
+struct InsertionResult {
   std::map<std::string, double> punctures;
   std::map<double, double> forces;
 };
@@ -29,10 +29,10 @@ class PatientMeshes : public BodkinCommand {
     return cells;
   }
 
-  static FeltOnTheWay felt(const std::string& path, const std::vector<double>& depths) {
+  static InsertionResult felt(const std::string& path, const std::vector<double>& depths) {
     const Outcome profile = bodkin("--json profile patient --resistance embedded_needle " + path);
     EXPECT_EQ(profile.exit_code, 0) << profile.errors;
-    FeltOnTheWay felt;
+    InsertionResult felt;
     if (profile.exit_code != 0) return felt;
     const auto found = nlohmann::json::parse(profile.output);
     for (const auto& event : found["events"]) {
@@ -64,39 +64,41 @@ void expect_within_7_percent(const std::vector<double>& values, const std::strin
   std::printf("  %s: %s\n", of.c_str(), ::testing::PrintToString(values).c_str());
 }
 
-// With BODKIN_LARGE_BODIES 10,000 and 40,000 nodes too. The two coarse meshes have not the thin layers of the planned
-// path, which are felt all the same.
+// With BODKIN_LARGE_BODIES also 10,000 and 40,000 nodes. The two coarse meshes lack the thin layers of the planned
+// path, which are felt nevertheless.
 TEST_F(PatientMeshes, of_5000_to_40000_nodes_feel_the_same) {
   BODKIN_NEEDS_MESHER();
   ASSERT_EQ(bodkin("-q case synthesize lumbar patient").exit_code, 0);
   std::vector<std::string> meshes = {"5000 --merge-layers", "20000"};
   if (std::getenv("BODKIN_LARGE_BODIES") != nullptr)
     meshes = {"5000 --merge-layers", "10000 --merge-layers", "20000", "40000"};
-  struct Way {
+  struct TestPath {
     std::string path;
     std::vector<double> depths;  // mm; none where a layer is about to give way in one mesh and has in another
   };
-  const std::vector<Way> ways = {{"", {1.0, 2.0, 3.0, 10.0, 25.0, 40.0, 46.0, 53.0}},
-                                 {"--entry=11.5,79.5,-28.3 --target=5,30,-20", {1.0, 2.0, 3.0, 10.0, 25.0, 45.0}}};
-  std::vector<std::vector<FeltOnTheWay>> all(ways.size());
+  const std::vector<TestPath> paths = {
+      {"", {1.0, 2.0, 3.0, 10.0, 25.0, 40.0, 46.0, 53.0}},
+      {"--entry=11.5,79.5,-28.3 --target=5,30,-20", {1.0, 2.0, 3.0, 10.0, 25.0, 45.0}}};
+  std::vector<std::vector<InsertionResult>> all(paths.size());
   for (const std::string& mesh : meshes) {
     const Outcome made = bodkin("-q case mesh patient --force --nodes " + mesh);
     ASSERT_EQ(made.exit_code, 0) << made.errors;
-    for (std::size_t way = 0; way < ways.size(); ++way) all[way].push_back(felt(ways[way].path, ways[way].depths));
+    for (std::size_t path = 0; path < paths.size(); ++path)
+      all[path].push_back(felt(paths[path].path, paths[path].depths));
   }
-  for (std::size_t way = 0; way < ways.size(); ++way) {
-    ASSERT_GE(all[way][0].punctures.size(), 2U);
-    for (const auto& [tissue, ignored] : all[way][0].punctures) {
+  for (std::size_t path = 0; path < paths.size(); ++path) {
+    ASSERT_GE(all[path][0].punctures.size(), 2U);
+    for (const auto& [tissue, ignored] : all[path][0].punctures) {
       std::vector<double> depths;
-      for (const FeltOnTheWay& here : all[way]) {
+      for (const InsertionResult& here : all[path]) {
         ASSERT_TRUE(here.punctures.contains(tissue)) << tissue;
         depths.push_back(here.punctures.at(tissue));
       }
       expect_within_7_percent(depths, tissue + " gives way, mm");
     }
-    for (const double depth : ways[way].depths) {
+    for (const double depth : paths[path].depths) {
       std::vector<double> forces;
-      for (const FeltOnTheWay& here : all[way]) forces.push_back(here.forces.at(depth));
+      for (const InsertionResult& here : all[path]) forces.push_back(here.forces.at(depth));
       expect_within_7_percent(forces, "force at " + std::to_string(static_cast<int>(depth)) + " mm, N");
     }
   }

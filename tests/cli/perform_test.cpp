@@ -20,9 +20,9 @@ using ::testing::Not;
 
 using PerformCommand = PatientCommand;
 
-const std::string device = "force_dimension --settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so ";
+const std::string device = "force_dimension --settings library=" BODKIN_MOCKS "/force_dimension/libdrd.so ";
 
-// A simulated hand that would go on beyond the lesion.
+// A simulated hand that would continue beyond the lesion.
 TEST_F(PerformCommand, a_biopsy_ends_when_the_tip_touches_the_lesion) {
   const Outcome made = bodkin(
       "-q case synthesize lumbar lesion --spacing 2 --lesion 20 --procedure ct_guided_biopsy --target lesion "
@@ -42,7 +42,7 @@ TEST_F(PerformCommand, a_biopsy_ends_when_the_tip_touches_the_lesion) {
   EXPECT_LT(deepest, path + 10.0) << "and not 30 mm behind it, where the hand was going";
 }
 
-// A simulated hand that goes on drawing the needle away for 5.5 s after it has left the body.
+// A simulated hand that continues the withdrawal for 5.5 s after the needle has left the body.
 TEST_F(PerformCommand, a_needle_that_is_taken_out_ends_an_acupuncture_and_no_puncture_that_has_missed) {
   ASSERT_EQ(bodkin("-q case synthesize lumbar needled --spacing 2 --procedure acupuncture").exit_code, 0);
   const std::string hand =
@@ -79,12 +79,12 @@ TEST_F(PerformCommand, records_a_hand_on_a_device_and_the_recording_replays_to_t
   EXPECT_GT(::bodkin::session::count_of(session.timings->compute), 0u);
   EXPECT_LE(::bodkin::session::count_of(session.timings->compute), session.ticks.size());
   EXPECT_EQ(said.at("timings").at("overruns"), session.timings->overruns);
-  // The models were made for the device that was held, and the recording says so.
+  // The models were created for the held device, as recorded.
   ASSERT_TRUE(session.header.device.has_value());
   EXPECT_NE(session.header.device->profile, "generic");
   const json settings = json::parse(session.header.operator_settings);
   EXPECT_EQ(settings.at("driver"), "force_dimension");
-  // What the driver states, and what that leaves of the device's stiffness in our loop of 1 kHz.
+  // The driver's stated delay, and the device's remaining stiffness in our loop of 1 kHz.
   EXPECT_EQ(settings.at("delay_s"), 0.00025);
   EXPECT_THAT(settings.at("delay_source").get<std::string>(), Not(testing::IsEmpty()));
   EXPECT_NEAR(settings.at("force_delay_s").get<double>(), 0.00125, 1e-9);
@@ -126,8 +126,7 @@ TEST_F(PerformCommand, uses_what_was_calibrated_of_the_device_and_says_so) {
   const ::bodkin::Vec3 plain = first_tip("--no-calibration");
   const ::bodkin::Vec3 calibrated = first_tip("");
   std::filesystem::remove(config / "calibrations.xml");
-  // The middle is 20 mm to the left and 20 mm up; where the hand is has become 20 mm right (LPS -x) of it and lower
-  // (-y).
+  // The middle is 20 mm to the left and 20 mm up; the hand is therefore 20 mm right (LPS -x) of it and lower (-y).
   EXPECT_NEAR((calibrated - plain - ::bodkin::Vec3(-20.0, -20.0, 0.0)).norm(), 0.0, 1.0)
       << (calibrated - plain).transpose();
 }
@@ -169,7 +168,7 @@ TEST_F(PerformCommand, a_simulated_hand_aims_at_the_target_and_ends_by_itself) {
   }
   EXPECT_LT(closest, 3.0);
   EXPECT_GT((session.ticks.back().input.needle.translation() - session.header.path.entry).norm(), 29.0);
-  // The force came back to the hand: it was held behind where it meant to be.
+  // The force acted on the hand: it stayed behind its intended position.
   EXPECT_EQ(session.header.device->profile, "simulated hand");
   EXPECT_THAT(bodkin("-q replay simulated.bodkin").output, HasSubstr("identical: "));
 }
@@ -233,7 +232,7 @@ TEST_F(PerformCommand, a_bad_recording_is_one_sentence) {
 
 TEST_F(PerformCommand, without_real_time_the_force_of_either_hand_and_of_a_vendors_loop_is_kept_low) {
   const LittleLockedMemory little;
-  const std::string of_force_dimension = "library=" BODKIN_STAND_INS "/force_dimension/libdrd.so";
+  const std::string of_force_dimension = "library=" BODKIN_MOCKS "/force_dimension/libdrd.so";
   const std::string perform = "perform patient simulated --settings \"speed_mm_s=60 wait_s=0.2\" ";
   const std::string second =
       "--second force_dimension --second-settings " + of_force_dimension + " --second-as probe ";
@@ -243,13 +242,13 @@ TEST_F(PerformCommand, without_real_time_the_force_of_either_hand_and_of_a_vendo
   const Outcome allowed = bodkin(perform + second + "--allow-late -o allowed.bodkin");
   EXPECT_THAT(allowed.errors, HasSubstr("second hand: other programs can hold up the force"));
   EXPECT_THAT(allowed.errors, Not(HasSubstr("kept below 1.5 N")));
-  // The vendor's own loop; the note comes before the hand takes part.
-  const Outcome vendors = bodkin("perform patient openhaptics --max-time 1 --settings library=" BODKIN_STAND_INS
+  // The vendor's own loop; the note appears before the hand is active.
+  const Outcome vendors = bodkin("perform patient openhaptics --max-time 1 --settings library=" BODKIN_MOCKS
                                  "/openhaptics/libHD.so -o vendors.bodkin");
   EXPECT_THAT(vendors.errors, HasSubstr("kept below 1.5 N")) << vendors.text();
 }
 
-// The first hand goes to the epidural space and stays; the second one pushes its plunger down all the while.
+// The first hand moves to the epidural space and stays; the second one keeps pushing its plunger down.
 TEST_F(PerformCommand, a_second_hand_on_the_plunger_feels_the_loss_of_resistance) {
   const Outcome outcome = bodkin(
       "--json -q perform patient simulated --settings \"speed_mm_s=12 wait_s=1\" --second simulated "
@@ -260,7 +259,7 @@ TEST_F(PerformCommand, a_second_hand_on_the_plunger_feels_the_loss_of_resistance
   EXPECT_EQ(session.header.second->role, ::bodkin::session::SecondRole::plunger);
   EXPECT_EQ(json::parse(session.header.second->device).at("driver"), "simulated");
   ASSERT_GT(session.second.size(), 300u);
-  // By where the tip was: the highest pressure in ligament, and the last of the first stay in the epidural space.
+  // By the tip's place: the highest pressure in ligament, and the last one of the first stay in the epidural space.
   double in_ligament = 0.0, thumb = 0.0;
   for (const ::bodkin::session::SecondSample& sample : session.second) {
     const auto tick = static_cast<std::size_t>(std::lround(sample.time / session.header.dt));
@@ -297,18 +296,18 @@ TEST_F(PerformCommand, a_second_hand_on_the_plunger_feels_the_loss_of_resistance
 TEST_F(PerformCommand, a_second_hand_holds_a_probe_and_its_fault_leaves_the_needle_alone) {
   const Outcome outcome = bodkin(
       "--json perform patient simulated --settings \"speed_mm_s=60 wait_s=0.5\" --second force_dimension "
-      "--second-settings library=" BODKIN_STAND_INS "/force_dimension/libdrd.so --second-as probe -o probe.bodkin");
+      "--second-settings library=" BODKIN_MOCKS "/force_dimension/libdrd.so --second-as probe -o probe.bodkin");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.text();
   const ::bodkin::session::Session session = ::bodkin::session::read_session(folder_ / "probe.bodkin");
   EXPECT_EQ(session.header.second->role, ::bodkin::session::SecondRole::probe);
   ASSERT_GT(session.second.size(), 50u);
   EXPECT_NEAR((session.second.front().position - session.header.path.entry).x(), 60.0, 30.0) << "left is LPS +x";
 
-  setenv("BODKIN_STAND_IN", "unplug@500", 1);
+  setenv("BODKIN_MOCK", "unplug@500", 1);
   const Outcome unplugged = bodkin(
       "perform patient simulated --settings \"speed_mm_s=60 wait_s=0.5\" --second force_dimension --second-settings "
-      "library=" BODKIN_STAND_INS "/force_dimension/libdrd.so -o unplugged.bodkin");
-  unsetenv("BODKIN_STAND_IN");
+      "library=" BODKIN_MOCKS "/force_dimension/libdrd.so -o unplugged.bodkin");
+  unsetenv("BODKIN_MOCK");
   ASSERT_EQ(unplugged.exit_code, 0) << unplugged.text();
   EXPECT_THAT(unplugged.errors, HasSubstr("second hand: "));
   EXPECT_GT(deepest(::bodkin::session::read_session(folder_ / "unplugged.bodkin")), 30.0) << "the needle went on";

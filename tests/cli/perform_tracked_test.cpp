@@ -1,4 +1,4 @@
-// `bodkin perform CASE tracked:FOOTAGE`: a real needle that a camera sees, recorded and judged like any other hand.
+// `bodkin perform CASE tracked:FOOTAGE`: a real needle seen by a camera, recorded and scored like any other hand.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -48,7 +48,7 @@ class PerformTracked : public PatientCommand {
     return -1.0;
   }
 
-  // Where the footage says that the needle's tip was, and whether its picture was left as it was rendered.
+  // The footage's true place of the needle's tip, and whether its image was left as rendered.
   struct Truth {
     std::vector<double> time;
     std::vector<Vec3> tip;
@@ -81,8 +81,8 @@ class PerformTracked : public PatientCommand {
     const double share = (time - truth.time[i - 1]) / (truth.time[i] - truth.time[i - 1]);
     return truth.tip[i - 1] + share * (truth.tip[i] - truth.tip[i - 1]);
   }
-  // mm from the truth to where a tick had the tip. Ticks and footage each keep a time of their own, and a busy
-  // machine holds up either: `time` goes on to the place within the next half second that is nearest.
+  // Distance of a tick's tip from the truth, mm. Ticks and footage each have their own time, and a busy machine
+  // delays either: `time` advances to the nearest place within the next half second.
   static double off(const Truth& truth, const Vec3& tip, double& time) {
     double nearest = (tip - at(truth, time)).norm();
     const double from = time;
@@ -113,7 +113,7 @@ TEST_F(PerformTracked, is_recorded_where_it_really_was_and_judged_by_the_procedu
   const double rms = std::sqrt(sum / static_cast<double>(session.ticks.size()));
   EXPECT_LT(rms, 0.5) << "mm, at most " << most;
   EXPECT_GT(time, truth.time.back() - 1.0) << "all of the way";
-  // Nothing holds a real needle on a line but the real mannequin: it is not moved along an axis by the simulation.
+  // Only the real mannequin holds a real needle on a line: the simulation does not constrain it to an axis.
   EXPECT_TRUE(std::none_of(session.events.begin(), session.events.end(),
                            [](const auto& one) { return one.event.kind == EventKind::hand_lost; }));
   const json score = json::parse(bodkin("--json score along.bodkin").output);
@@ -138,7 +138,7 @@ TEST_F(PerformTracked, beside_the_path_it_misses_by_as_much_as_it_really_does) {
 TEST_F(PerformTracked, a_needle_that_is_hidden_rests_and_the_session_says_for_how_long) {
   render("along", "");
   fs::copy(folder_ / "along", folder_ / "hidden");
-  // On its way in, at 40 mm of the way that begins 40 mm above the skin: 1.2 s without a picture that shows anything.
+  // On its way in, after 40 mm of a path that begins 40 mm above the skin: 1.2 s of blank images.
   for (int n = 40; n < 52; ++n) {
     using namespace ::bodkin;
     write_file(folder_ / "hidden" / fmt::format("frame_{:05}.png", n),
@@ -170,11 +170,11 @@ TEST_F(PerformTracked, a_needle_that_is_hidden_rests_and_the_session_says_for_ho
       EXPECT_LT(off(truth, tip, time), 2.5) << "never where it is not, in tick " << tick.tick;
     }
   }
-  // It rests where it was seen last, and then goes quickly to where it is seen again.
+  // It rests at its last visible place, and then moves quickly to its new one.
   constexpr std::size_t way_there = 150;  // ticks
   ASSERT_GT(from_last_seen.size(), way_there);
   EXPECT_LT(*std::max_element(from_last_seen.begin(), from_last_seen.end() - way_there), 1.0);
-  // From the last picture to the first, and the way there. A tick that began late counts no more than one in time.
+  // From the last image to the first, and the way there. A late tick counts the same as one in time.
   double left_out = 0.0;  // s, at most
   ASSERT_TRUE(session.timings.has_value());
   for (const auto& bin : session.timings->lateness)

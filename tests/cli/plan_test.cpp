@@ -25,7 +25,7 @@ TEST_F(PlanCommand, checks_that_every_name_exists) {
   write("plan.xml", "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" case=\"nowhere\"/></plan>");
   const Outcome said = bodkin("-q plan check plan.xml");
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_THAT(said.errors, HasSubstr("plan.xml: stage 'a': the case 'nowhere' is no folder with a case.xml"));
+  EXPECT_THAT(said.errors, HasSubstr("plan.xml: stage 'a': the case 'nowhere' is not a folder with a case.xml"));
   const Outcome shown = bodkin("-q plan show plan.xml");
   EXPECT_EQ(shown.exit_code, 2);
   EXPECT_EQ(shown.errors, said.errors) << "every command that uses a plan looks for the same names";

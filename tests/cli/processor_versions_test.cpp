@@ -1,5 +1,5 @@
 // Inner loops that are compiled for several processors (BODKIN_PROCESSOR_CLONES) have their versions in the program:
-// a compiler may leave them out without a word, and everything still works, at half the speed.
+// a compiler may silently omit them, and everything still works, at half the speed.
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -56,8 +56,8 @@ TEST_F(ProfileCommand, moves_as_it_is_told_and_draws_tip_and_wall_over_time) {
     EXPECT_EQ(said.exit_code, 0) << said.errors;
     return nlohmann::json::parse(said.output).at("duration_s").get<double>();
   };
-  // Differences, for the way through the air depends on where the CT has the skin: 5 s of rest; 15 mm back at 20 mm/s
-  // and in again at 5 mm/s.
+  // Differences, because the way through the air depends on the CT's skin: 5 s of rest; 15 mm back at 20 mm/s and in
+  // again at 5 mm/s.
   const double straight = duration("25 at 10, out at 20");
   EXPECT_NEAR(duration("25 at 10, hold 5, out at 20") - straight, 5.0, 0.005);
   EXPECT_NEAR(duration("25 at 10, 10 at 20, 25 at 5, out at 20") - straight, 0.75 + 3.0, 0.005);
@@ -65,7 +65,8 @@ TEST_F(ProfileCommand, moves_as_it_is_told_and_draws_tip_and_wall_over_time) {
   EXPECT_THAT(content_of(base.string() + ".svg"), HasSubstr("depth below the skin, mm"));
   EXPECT_THAT(content_of(base.string() + ".svg"), HasSubstr("time, s"));
   EXPECT_THAT(bodkin(command + "'25, wait 2'").text(), HasSubstr("--motion: step 2 is 'wait 2', expected DEPTH"));
-  EXPECT_THAT(bodkin(command + "25 --pause 1").text(), HasSubstr("--motion says all steps; leave out --pause"));
+  EXPECT_THAT(bodkin(command + "25 --pause 1").text(),
+              HasSubstr("--motion already states every step; leave out --pause"));
 }
 
 TEST_F(ProfileCommand, takes_other_force_models_than_the_case) {

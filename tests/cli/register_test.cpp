@@ -62,17 +62,17 @@ TEST_F(Register, is_followed_by_an_earlier_one) {
   const auto estimate = [&](const char* file) {
     return nlohmann::json::parse(text_of(file))["tre_mm"]["estimate"].get<double>();
   };
-  // The target of the one is where that of the other is.
+  // Both targets have the same place.
   EXPECT_NEAR(estimate("chained.json"), std::hypot(estimate("alone.json"), estimate("board.json")), 0.01);
   const nlohmann::json chained = nlohmann::json::parse(text_of("chained.json"));
   EXPECT_EQ(chained["target_mm"], nlohmann::json::parse("[30, 30, 40]"));
   EXPECT_NEAR(chained["fixed_from_moving"][1].get<double>(), -1.0, 0.02);
   EXPECT_NEAR(chained["fixed_from_moving"][3].get<double>(), -5.0, 0.5);
-  // What it leads to can be followed again.
+  // Its result can be chained again.
   EXPECT_EQ(bodkin("register mannequin.csv moving.csv --then chained.json").exit_code, 0);
 }
 
-// The same chain, whichever of the two is made last.
+// The same chain, whichever of the two is computed last.
 TEST_F(Register, follows_an_earlier_one_as_well) {
   write("plate.csv", "a,-5,10.3,0\nb,-5,110,0\nc,-85.2,10,0\nd,-5,10,60.4\ne,-55,70,20.1\n");
   write("dummy.csv", "a,10,0,5\nb,110,0.3,5\nc,10,80,5.2\nd,10.1,0,65\ne,70,50,25\n");
@@ -97,7 +97,7 @@ TEST_F(Register, a_registration_that_tells_no_errors_is_followed_without_a_predi
   write("silent.json", "{\"fixed_from_moving\": [1,0,0,7, 0,1,0,0, 0,0,1,0, 0,0,0,1]}");
   const Outcome done = bodkin("--json register fixed.csv moving.csv --target 30,30,40 --then silent.json");
   ASSERT_EQ(done.exit_code, 0) << done.text();
-  EXPECT_THAT(done.errors, HasSubstr("silent.json does not tell its errors"));
+  EXPECT_THAT(done.errors, HasSubstr("silent.json does not contain its errors"));
   const nlohmann::json json = nlohmann::json::parse(done.output);
   EXPECT_FALSE(json.contains("tre_mm"));
   EXPECT_NEAR(json["fixed_from_moving"][3].get<double>(), 17.0, 1e-6);
@@ -157,15 +157,15 @@ TEST_F(Register, points_to_be_matched_must_not_lie_on_a_line) {
   const Outcome straight = bodkin("register fixed.csv straight.csv --match");
   EXPECT_EQ(straight.exit_code, 2);
   EXPECT_THAT(straight.errors, HasSubstr("the moving points lie on a line"));
-  // A point off the line in each set, but not the same.
+  // One point off the line in each set, but a different one.
   write("off_left.csv", "0,0,0\n10,0,0\n25,0,0\n60,0,0\n20,90,0\n");
   write("off_right.csv", "0,0,0\n10,0,0\n25,0,0\n60,0,0\n20,0,40\n");
   const Outcome apart = bodkin("register off_left.csv off_right.csv --match");
   EXPECT_EQ(apart.exit_code, 2);
-  EXPECT_THAT(apart.errors, HasSubstr("lie alike in both sets are on a line"));
+  EXPECT_THAT(apart.errors, HasSubstr("match in both sets are on a line"));
 }
 
-// Beads are found from the largest to the smallest, which is no order to pair them by.
+// Beads are found from the largest to the smallest, which is not an order for pairing.
 TEST_F(Register, beads_of_a_ct_are_never_paired_by_their_order) {
   std::filesystem::create_directory(folder_ / "scanned");
   for (const char* points : {"fixed.csv scanned", "scanned fixed.csv"}) {
@@ -174,7 +174,7 @@ TEST_F(Register, beads_of_a_ct_are_never_paired_by_their_order) {
     EXPECT_THAT(refused.errors,
                 HasSubstr("scanned: the beads of a CT have neither names nor an order; give --match"));
   }
-  // With --match the folder itself is looked at.
+  // With --match the folder itself is read.
   EXPECT_THAT(bodkin("register fixed.csv scanned --match").errors, Not(HasSubstr("--match")));
 }
 
@@ -216,12 +216,12 @@ TEST_F(Register, exchanged_names_are_said) {
   const Outcome done = bodkin("register fixed.csv exchanged.csv");
   EXPECT_EQ(done.exit_code, 0);
   EXPECT_THAT(done.errors, HasSubstr("points c and d fit far better when they are exchanged"));
-  // The same where no point is located exactly.
+  // The same with inexact points.
   write("noisy.csv", "e,60.4,49.7,20.2\nc,0.3,-0.4,60.1\na,-0.2,0.5,0.3\nb,99.6,0.2,-0.4\nd,0.1,80.3,0.5\n");
   EXPECT_THAT(bodkin("register fixed.csv noisy.csv").errors, HasSubstr("points c and d fit far better"));
 }
 
-// Which two of a rectangle were exchanged cannot be told: the other two fit as well.
+// The exchanged two of a rectangle's corners cannot be identified: the other two fit as well.
 TEST_F(Register, every_exchange_that_fits_is_named) {
   write("rectangle.csv", "k,0,0,0\nl,120,0,0\nm,120,70,0\nn,0,70,0\n");
   write("mistaken.csv", "l,0,0,0\nk,120,0,0\nm,120,70,0\nn,0,70,0\n");

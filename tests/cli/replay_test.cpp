@@ -78,7 +78,7 @@ TEST_F(ReplayCommand, needs_the_tissue_library_as_it_was) {
   fs::copy(fs::path(BODKIN_REPOSITORY) / "share" / "bodkin", folder_ / "share", fs::copy_options::recursive);
   const fs::path file = folder_ / "share" / "tissues.xml";
   std::string text = text_of("share/tissues.xml");
-  // What only a deformable body feels counts too: a patient is one.
+  // Numbers used only by a deformable body count too: they belong to the patient.
   const std::string before = "puncture_force_N=\"0.9\"";
   ASSERT_NE(text.find(before), std::string::npos);
   ASSERT_EQ(setenv("BODKIN_SHARE", (folder_ / "share").c_str(), 1), 0);

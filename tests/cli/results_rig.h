@@ -7,7 +7,7 @@
 
 namespace bodkin_test {
 
-// Commands about results, with a data folder of their own and the session of an expert, session.bodkin.
+// Commands about results, with a separate data folder and the session of an expert, session.bodkin.
 class ResultsRig : public PatientCommand {
  protected:
   static void SetUpTestSuite() {

@@ -16,8 +16,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using std::chrono_literals::operator""ms;
 
-// Every command that opens the store, when the store cannot be used: one sentence, the exit code of its kind, and
-// nothing in it changed. The session that was to be kept waits.
+// Every command that opens the store, when the store cannot be used: one sentence, the matching exit code, and no
+// change in the store. The session to be stored waits.
 class StoreTrouble : public ResultsRig {
  protected:
   void SetUp() override {
@@ -46,7 +46,7 @@ class StoreTrouble : public ResultsRig {
     EXPECT_EQ(lines_of(said.errors), 1) << arguments << ": " << said.errors;
   }
 
-  // `results add` keeps the attempt here, and says why.
+  // `results add` keeps the attempt here, with the reason.
   static void expect_that_it_waits(const std::string& place, const std::string& words) {
     const Outcome waits = bodkin("results add session.bodkin --trainee trainee-07" + place);
     EXPECT_EQ(waits.exit_code, 0) << waits.text();
@@ -84,7 +84,7 @@ TEST_F(StoreTrouble, a_server_that_cannot_be_reached_loses_nothing) {
   EXPECT_THAT(bodkin("results deliver" + nowhere).errors, ::testing::Not(HasSubstr("secret")));
 }
 
-// Also with a plan, whose stage only the store knows.
+// Also with a plan whose stage is only in the store.
 TEST_F(StoreTrouble, an_attempt_at_a_plan_waits_and_gets_its_stage_when_it_is_delivered) {
   const std::string nowhere = "postgresql://station@127.0.0.1:1/none";
   expect_that_it_waits(" --plan lumbar_puncture_first_steps --store " + nowhere, "cannot be reached");
@@ -93,7 +93,7 @@ TEST_F(StoreTrouble, an_attempt_at_a_plan_waits_and_gets_its_stage_when_it_is_de
               HasSubstr("trainee-07: stage 1 of 3, 1 of 2 passed in a row, attempt 2 of 10"));
 }
 
-// As by a program that hangs: each command waits for five seconds.
+// As with a hung program: each command waits for five seconds.
 TEST_F(StoreTrouble, a_locked_store_says_so_and_the_attempt_waits) {
   bodkin::training::ResultStore(store().string()).add(attempt(1));
   const auto other = bodkin::training::connect_sqlite(store().string(), 1000ms);
@@ -105,7 +105,7 @@ TEST_F(StoreTrouble, a_locked_store_says_so_and_the_attempt_waits) {
   EXPECT_EQ(bodkin::training::ResultStore(store().string()).summaries().size(), 2U);
 }
 
-// The limit on the size of files stands for the disk: the store is over it, and what waits is far below.
+// The limit on the size of files simulates a full disk: the store exceeds it, and the queue is far below.
 TEST_F(StoreTrouble, on_a_full_disk_the_store_keeps_what_it_had_and_the_attempt_waits) {
   std::vector<bodkin::training::AttemptRecord> many;
   for (int number = 0; number < 1000; ++number) many.push_back(attempt(number));

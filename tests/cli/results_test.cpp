@@ -50,7 +50,7 @@ TEST_F(ResultsCommand, keeps_nothing_for_a_plan_that_names_what_does_not_exist) 
     return "<plan version=\"1\" name=\"p\" title=\"P\"><stage title=\"a\" " + what + "/></plan>";
   };
   for (const auto& [stage, said] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"case=\"nowhere\"", "the case 'nowhere' is no folder with a case.xml"},
+           {"case=\"nowhere\"", "the case 'nowhere' is not a folder with a case.xml"},
            {"case=\"built-in\" procedure=\"dance\"", "there is no procedure 'dance'"},
            {"case=\"built-in\" crystal_ball=\"true\"", "crystal_ball"}}) {
     write("plan.xml", stage_with(stage));
@@ -121,7 +121,7 @@ TEST_F(ResultsCommand, refuses_an_address_as_a_label_and_what_is_no_store_before
   EXPECT_FALSE(fs::exists(folder_ / "data/bodkin/results.sqlite"));
   const Outcome other = bodkin("-q results list --store session.bodkin");
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.errors, HasSubstr("is a database of something else than results"));
+  EXPECT_THAT(other.errors, HasSubstr("is a database, but not of results"));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST_F(RunCommand, on_the_clock_survives_a_kill_with_all_but_the_last_second) {
   waitpid(child, nullptr, 0);
   const bodkin::session::Session session = bodkin::session::read_session(file);
   EXPECT_FALSE(session.finished);
-  // A stalled machine makes ticks late, which are then no loss of the recording: half a second of grace.
+  // A stalled machine delays ticks, which is not a loss of the recording: half a second of grace.
   EXPECT_GE(static_cast<double>(session.ticks.size()), static_cast<double>(seen) + (lived - 1.5) * 1000.0);
   EXPECT_EQ(bodkin("--quiet replay killed.bodkin").exit_code, 0) << "what was saved replays";
 }

@@ -30,7 +30,7 @@ TEST_F(ScoreCommand, of_the_expert_is_a_pass_and_says_why) {
   EXPECT_THAT(said.output, HasSubstr("You crossed the ligamentum flavum at "));
 }
 
-// Near misses and distances to organs too: the session keeps the patient's voxels.
+// Including near misses and distances to organs: the session stores the patient's voxels.
 TEST_F(ScoreCommand, needs_the_session_alone) {
   const std::string recorded = session();
   const Outcome with = bodkin("-q --json score " + recorded + " --procedure epidural");
@@ -70,7 +70,7 @@ TEST_F(ScoreCommand, of_an_older_session_without_its_case_says_what_could_not_be
   fs::rename(folder_ / "away", patient());
   EXPECT_EQ(lost.exit_code, 0);
   EXPECT_THAT(lost.output, HasSubstr("Borderline"));
-  EXPECT_THAT(lost.output, HasSubstr("could not be seen whether the tip entered"));
+  EXPECT_THAT(lost.output, HasSubstr("could not be checked whether the tip entered"));
   EXPECT_THAT(lost.errors, HasSubstr("holds no case.xml now"));
   EXPECT_EQ(named.exit_code, 2);
   EXPECT_THAT(found.output, HasSubstr("Passed"));

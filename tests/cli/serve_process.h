@@ -15,12 +15,12 @@
 
 namespace bodkin_test {
 
-// `bodkin serve` as a process of its own, killed when this ends unless it has ended before. It also ends with the
-// process that started it.
+// `bodkin serve` as a separate process, killed by the destructor unless it has ended. It also ends with its parent
+// process.
 class ServeProcess {
  public:
-  // `arguments`: what a shell would be given after `bodkin`. The program runs in `folder`, where its notes come into
-  // the file `notes`, and its answer into `notes` with the ending .out.
+  // `arguments`: shell words after `bodkin`. The program runs in `folder`, where its notes go into the file `notes`,
+  // and its answer into `notes` with the suffix .out.
   ServeProcess(std::filesystem::path folder, const std::string& arguments, const std::string& notes = "station.txt")
       : folder_(std::move(folder)), notes_(folder_ / notes) {
     std::filesystem::remove(notes_);  // those of a process before
@@ -37,7 +37,7 @@ class ServeProcess {
   ServeProcess(const ServeProcess&) = delete;
   ServeProcess& operator=(const ServeProcess&) = delete;
 
-  // "127.0.0.1:40123"; empty when it says none within half a minute.
+  // "127.0.0.1:40123"; empty if none is printed within half a minute.
   std::string place() const {
     const std::string before = "port ";
     for (int i = 0; i < 6000; ++i) {
@@ -49,7 +49,7 @@ class ServeProcess {
     }
     return {};
   }
-  // 0 when it says none.
+  // 0 if none is printed.
   std::uint16_t port() const {
     const std::string text = place();
     return text.empty() ? std::uint16_t{0} : static_cast<std::uint16_t>(std::stoi(text.substr(text.find(':') + 1)));
@@ -57,7 +57,7 @@ class ServeProcess {
   std::string notes() const { return text_of(notes_); }
   std::string output() const { return text_of(notes_.string() + ".out"); }
 
-  // Waits until it ends by itself; the exit code, -1 when a signal ended it.
+  // Waits until it ends by itself; the exit code, or -1 if a signal ended it.
   int wait() {
     if (process_ <= 0) return -1;
     int status = -1;
@@ -70,7 +70,7 @@ class ServeProcess {
     if (process_ > 0) ::kill(process_, SIGTERM);
     return wait();
   }
-  // At once, without a word.
+  // At once, without a message.
   void kill() {
     if (process_ > 0) ::kill(process_, SIGKILL);
     wait();

@@ -1,4 +1,4 @@
-// bodkin serve: a whole session with nobody looking, and what is refused before a device opens.
+// bodkin serve: a whole session without clients, and refusals before a device opens.
 #include "link/server.h"
 #include "session/session_file.h"
 #include "tests/cli/bodkin_command.h"
@@ -25,7 +25,7 @@ TEST_F(ServeCommand, records_a_session_with_an_ultrasound_that_nobody_looks_at) 
 TEST_F(ServeCommand, refuses_an_address_that_is_none_before_it_records_anything) {
   const Outcome served = bodkin("serve patient simulated --listen nowhere -o never.bodkin");
   EXPECT_EQ(served.exit_code, 2);
-  EXPECT_THAT(served.errors, HasSubstr("'nowhere' is no address"));
+  EXPECT_THAT(served.errors, HasSubstr("'nowhere' is not an address"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "never.bodkin"));
 }
 

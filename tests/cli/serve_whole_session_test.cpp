@@ -1,5 +1,5 @@
-// Whole sessions of bodkin serve that are driven from outside by programs on the OpenIGTLink library alone: one
-// tracks the needle, as PLUS would, and one commands, watches and takes the score, as 3D Slicer would.
+// Whole sessions of bodkin serve driven only by external programs on the OpenIGTLink library: one tracks the needle,
+// like PLUS, and one commands, watches and receives the score, like 3D Slicer.
 #include <cmath>
 #include <functional>
 #include <string>
@@ -79,7 +79,7 @@ class WholeSession : public PatientCommand {
     tracker_.reset();
   }
 
-  // Where the tracker sees the needle: on the planned path, so many mm behind the skin.
+  // The tracked place of the needle: on the planned path, so many mm below the skin.
   void put_needle(double depth) {
     const Vec3 along = path_.direction(), tip = path_.entry + depth * along;
     const Vec3 across = along.unitOrthogonal(), other = along.cross(across);
@@ -118,7 +118,7 @@ class WholeSession : public PatientCommand {
   bool state_says(const std::string& words) {
     return wait_until([&](const Message&) { return state_.find(words) != std::string::npos; });
   }
-  // The station says that the tip is so many mm behind the skin.
+  // Waits until the station reports the tip so many mm below the skin.
   bool needle_comes_to(double depth) {
     const Vec3 tip = path_.entry + depth * path_.direction();
     return wait_until([&](const Message& message) {
@@ -126,7 +126,7 @@ class WholeSession : public PatientCommand {
              (::bodkin::link::read_transform(message.content).translation() - tip).norm() < 1.0;
     });
   }
-  // What is answered to a command that PLUS's clients would send.
+  // The reply to a command as sent by PLUS's clients.
   std::string answer(const std::string& text) {
     const std::string number = std::to_string(++commands_);
     client_->send_string("CMD_" + number, text);
@@ -162,7 +162,7 @@ class WholeSession : public PatientCommand {
 
 TEST_F(WholeSession, is_driven_from_the_start_to_the_score_by_clients_that_are_not_ours) {
   ASSERT_TRUE(state_says(R"("guard":"waiting")")) << station_->notes();
-  // As 3D Slicer begins; and a message that means nothing here.
+  // 3D Slicer's first messages; and one without meaning here.
   client_->send_bytes(message_of_slicer("STATUS", ::bodkin::link::status_content(1, "", "")));
   client_->send_bytes(message_of_slicer("VIDEOMETA", Bytes(100, 7)));
   EXPECT_THAT(answer("<Command Name='Freeze' On='true'/>"), HasSubstr("no session runs here"));

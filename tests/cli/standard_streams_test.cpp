@@ -6,8 +6,8 @@
 #include "tests/cli/bodkin_command.h"
 #include <gmock/gmock.h>
 
-// How commands end when nobody reads what they say, when the disk behind standard output is full, and when the
-// terminal or the machine goes away while a needle is held.
+// How commands end when nobody reads their output, when the disk of standard output is full, and when the terminal or
+// the machine shuts down during a session.
 
 namespace bodkin_test {
 namespace {
@@ -29,11 +29,11 @@ class StandardStreams : public PatientCommand {
 
   static inline const std::string program = "'" BODKIN_BUILD "/bin/bodkin' ";
 
-  // A session of a second, with what goes before and behind the command.
+  // A one-second session, with the shell text before and after the command.
   static Outcome perform(const std::string& before, const std::string& behind, const std::string& time = "1") {
     std::filesystem::remove(folder_ / "hand.bodkin");
     return shell(before + " " + program + "perform patient force_dimension --settings library='" +
-                 BODKIN_STAND_INS "/force_dimension/libdrd.so' --max-time " + time + " -o hand.bodkin " + behind);
+                 BODKIN_MOCKS "/force_dimension/libdrd.so' --max-time " + time + " -o hand.bodkin " + behind);
   }
   // What goes behind a command: it starts, and the signal comes half a second after its session file is there,
   // however long a busy machine took for that. Job control, for without it a shell's background programs ignore
@@ -96,14 +96,13 @@ TEST_F(StandardStreams, the_end_of_the_terminal_ends_a_run_with_a_complete_sessi
     const Outcome said = shell("set -m; " + program + "run patient --operator waits.xml --max-time 3600 " + how +
                                "-o hand.bodkin " + signalled(signal));
     EXPECT_EQ(said.exit_code, code) << signal << said.output;
-    EXPECT_THAT(said.output, HasSubstr(std::string("ended from outside (SIG") + signal));
+    EXPECT_THAT(said.output, HasSubstr(std::string("ended by SIG") + signal));
     EXPECT_THAT(said.output, testing::Not(HasSubstr("the longest time")));
     expect_complete_session();
   }
 }
 
-// The limit, in kB, stands for a disk without room: a write beyond it fails. The patient's voxels fit, and some
-// seconds.
+// The limit, in kB, simulates a full disk: a write beyond it fails. The patient's voxels fit, and some seconds.
 TEST_F(StandardStreams, a_disk_that_fills_under_a_recording_ends_it_and_keeps_what_was_written) {
   const Outcome said = perform("trap '' XFSZ; ulimit -f 2000;", "-q", "30");
   EXPECT_EQ(said.exit_code, 1);
@@ -118,7 +117,7 @@ TEST_F(StandardStreams, a_disk_that_is_full_from_the_beginning_leaves_no_file_an
   const std::size_t ticks = ::bodkin::session::read_session(folder_ / "hand.bodkin").ticks.size();
   ASSERT_GT(ticks, 0U);
   const std::string begin = "trap '' XFSZ; ulimit -f 1; " + program +
-                            "-q perform patient force_dimension --settings library='" + BODKIN_STAND_INS +
+                            "-q perform patient force_dimension --settings library='" + BODKIN_MOCKS +
                             "/force_dimension/libdrd.so' --max-time 1 -o ";
   const Outcome anew = shell(begin + "full.bodkin");
   EXPECT_EQ(anew.exit_code, 1) << anew.output;

@@ -1,4 +1,4 @@
-// bodkin stations: a teacher starts a procedure on a station that waits, and its result comes to the store.
+// bodkin stations: a teacher starts a procedure on a waiting station, and its result reaches the store.
 #include <chrono>
 #include <functional>
 #include <string>
@@ -62,7 +62,7 @@ TEST_F(StationsCommand, a_teacher_starts_a_procedure_and_the_result_comes_to_the
   EXPECT_TRUE(::bodkin::session::read_session(folder_ / "session-by-hand.bodkin").finished);
 }
 
-// A client names the session's file, and the case that it once chose stays chosen; no name leads out of the folder.
+// A client names the session's file, and its chosen case stays selected; no name leads out of the folder.
 TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_starts) {
   using ::bodkin::link::StationWatch;
   ServeProcess station(folder_, "serve . simulated --settings depth_mm=10 --max-time 1 --port 0 --wait");
@@ -89,7 +89,7 @@ TEST_F(StationsCommand, a_client_names_the_session_and_chooses_the_case_for_all_
       }
     })) << station.notes();
   }
-  // It has said all that it says of a session when it waits again.
+  // All messages of a session have been sent when it waits again.
   EXPECT_TRUE(within_a_minute([&] { return watch.view().guard == "waiting"; })) << station.notes();
   EXPECT_EQ(station.end(), 0) << station.notes();
 }
@@ -124,7 +124,7 @@ TEST_F(StationsCommand, a_client_changes_a_number_of_the_model_and_begins_again)
 TEST_F(StationsCommand, a_station_that_is_not_there_is_told_in_one_sentence) {
   const Outcome lost = bodkin("stations list --patience 1 127.0.0.1:1");
   EXPECT_EQ(lost.exit_code, 3);
-  EXPECT_THAT(lost.output, HasSubstr("nobody answers at 127.0.0.1:1"));
+  EXPECT_THAT(lost.output, HasSubstr("no server answers at 127.0.0.1:1"));
   EXPECT_EQ(bodkin("stations start 127.0.0.1:0").exit_code, 2);
 }
 

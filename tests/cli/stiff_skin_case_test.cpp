@@ -1,4 +1,4 @@
-// A patient whose skin is much stiffer than fat: the mesh has it about the needle's path, and it bends.
+// A patient whose skin is much stiffer than fat: the mesh preserves it around the needle's path, and it bends.
 #include <algorithm>
 #include <cstdlib>
 #include <memory>

@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-// The teacher's page as a real browser shows it: Chromium without a window (Debian's chromium-headless-shell). What
-// it prints to PDF is what a person would see, text that is hidden or cut off left out.
+// The teacher's page as a real browser shows it: Chromium without a window (Debian's chromium-headless-shell). Its
+// PDF shows what a person would see, without hidden or clipped text.
 
 namespace bodkin_test {
 namespace {
@@ -74,7 +74,7 @@ class TeacherInBrowser : public PatientCommand {
     EXPECT_EQ(std::system(("cd '" + folder_.string() + "' && pdftotext -layout page.pdf page.txt").c_str()), 0);
     return text_of("page.txt");
   }
-  // The elements that the browser made of the page.
+  // The page's elements in the browser.
   std::string elements(const std::string& path) const {
     browse("--dump-dom > dom.html", path);
     return text_of("dom.html");

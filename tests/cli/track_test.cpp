@@ -42,7 +42,7 @@ TEST_F(Track, finds_every_body_of_footage_close_to_the_truth) {
   EXPECT_EQ(lines_of(text_of("poses.csv")), 10);
 }
 
-// Covariance and the mean over the rest stand beside the pose as measured.
+// Covariance and the mean over the rest are beside the measured pose.
 TEST_F(Track, its_table_has_the_filtered_pose_and_the_covariance) {
   ASSERT_EQ(bodkin("--quiet scene render resting --frames 4 --width 800 --height 450 --still").exit_code, 0);
   ASSERT_EQ(bodkin("--quiet track resting --csv resting.csv").exit_code, 0);
@@ -130,7 +130,7 @@ TEST_F(Track, names_pictures_that_are_mirrored) {
   EXPECT_THAT(tracked.errors, HasSubstr("turned: the pictures are mirrored left to right; switch mirroring off"));
 }
 
-// As when another sheet of markers was printed, or another dictionary was chosen for it.
+// As if a different sheet of markers, or one of another dictionary, had been printed.
 TEST_F(Track, names_markers_that_are_on_no_body_and_misses_those_of_its_dictionary) {
   using namespace ::bodkin;
   using namespace ::bodkin::tracking;

@@ -1,4 +1,4 @@
-// `bodkin ultrasound`: pictures, sweeps and what is refused. What sound does in tissue has tests of its own.
+// `bodkin ultrasound`: images, sweeps and refusals. Sound in tissue has separate tests.
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -53,7 +53,7 @@ TEST_F(UltrasoundCommand, without_options_it_shows_the_planned_target_from_the_s
   EXPECT_GT(image.width, 700);
   EXPECT_GT(image.height, 600);
   EXPECT_GT(brightness(image), 5.0);
-  // The same again from the pose that it prints.
+  // The same again from the printed pose.
   const Outcome text = bodkin("-q ultrasound " + patient() + scan_roughly + " -o text.png");
   std::smatch match;
   ASSERT_TRUE(std::regex_search(text.output, match, std::regex("--pose=(\\S+)"))) << text.output;
@@ -130,9 +130,9 @@ TEST_F(UltrasoundCommand, poses_from_a_file_become_a_folder_of_pictures) {
   write("bad.csv", "0,1,2,3\n");
   expect_refusal("--sweep bad.csv", "bad.csv:1: the row has 4 fields, expected 13");
   write("bad.csv", "0,2,0,0,0,0,2,0,0,0,0,2,0\n");
-  expect_refusal("--sweep bad.csv", "bad.csv:1 is no rigid placement");
+  expect_refusal("--sweep bad.csv", "bad.csv:1 is not a rigid placement");
   write("bad.csv", "# nothing\n");
-  expect_refusal("--sweep bad.csv", "there is no pose in it");
+  expect_refusal("--sweep bad.csv", "the file contains no pose");
 }
 
 TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_plane_of_each) {
@@ -145,7 +145,7 @@ TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_p
     const ::bodkin::imaging::ImageRgb image = picture("both-0" + std::to_string(number) + ".png");
     EXPECT_EQ(image.width, first.width);
     EXPECT_EQ(image.height, first.height);
-    // On the left it is the picture without the CT.
+    // The left side is the image without the CT.
     const ::bodkin::imaging::ImageRgb left = picture("alone/frame-000" + std::to_string(number) + ".png");
     std::ptrdiff_t differing = 0;
     for (int row = 0; row < left.height; ++row) {
@@ -154,7 +154,7 @@ TEST_F(UltrasoundCommand, a_sweep_with_the_ct_is_pictures_of_one_size_with_the_p
       }
     }
     EXPECT_EQ(differing, 0) << number;
-    // On the right it is what a single picture of the same pose shows, whose legend names fewer tissues.
+    // The right side is that of a single image of the same pose, whose legend names fewer tissues.
     if (number > 0) continue;
     said("--needle --ct -o single.png");
     const ::bodkin::imaging::ImageRgb single = picture("single.png");
@@ -195,12 +195,12 @@ TEST_F(UltrasoundCommand, what_cannot_be_is_one_sentence) {
   expect_refusal("--probe Z99-1", "Z99-1");
   expect_refusal("--probes nothing.xml", "nothing.xml");
   expect_refusal("--view upside_down", "--view is 'upside_down'; expected paramedian, ");
-  expect_refusal("--at elbow", "--at is 'elbow', which is no landmark or structure");
+  expect_refusal("--at elbow", "--at is 'elbow', which is not a landmark or structure");
   expect_refusal("--at 900,900,900", "not in the body");
   expect_refusal("--from above", "--from is 'above'; expected back, ");
   expect_refusal("--pose 1,2,3", "--pose is '1,2,3'; expected 12 or 16 numbers");
-  expect_refusal("--pose 2,0,0,0,0,1,0,0,0,0,1,0", "no rigid placement");
-  expect_refusal("--pose=-1,0,0,0,0,1,0,0,0,0,1,0", "no rigid placement");
+  expect_refusal("--pose 2,0,0,0,0,1,0,0,0,0,1,0", "not a rigid placement");
+  expect_refusal("--pose=-1,0,0,0,0,1,0,0,0,0,1,0", "not a rigid placement");
   expect_refusal("--pose 1,0,0,0,0,1,0,0,0,0,1,0 --view sagittal", "leave out");
   expect_refusal("--face 0,90,0", "--look");
   expect_refusal("--look 0,-1,0", "--face");
@@ -215,7 +215,7 @@ TEST_F(UltrasoundCommand, what_cannot_be_is_one_sentence) {
   expect_refusal("--needle-depth 20", "--needle");
   expect_refusal("--plain --ct", "--plain");
   expect_refusal("--tilt 1,2 --ct",
-                 "sweep.igs.mha is a sequence of the ultrasound alone; say -o NAME.mp4 or a folder");
+                 "sweep.igs.mha is a sequence with the ultrasound alone; give -o NAME.mp4 or a folder");
   expect_refusal("--live --ct", "--live");
   expect_refusal("-o picture.jpg", "expected a picture, .png or .svg");
   expect_refusal("--plain -o picture.svg", "expected a picture, .png");

@@ -1,5 +1,5 @@
-// The window as `bodkin perform CASE mouse` and `bodkin ultrasound CASE --live` open it, on a display that nobody
-// sees (Xvfb), driven as a person would (xdotool).
+// The window as `bodkin perform CASE mouse` and `bodkin ultrasound CASE --live` open it, on a virtual display (Xvfb),
+// driven by xdotool.
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -26,7 +26,7 @@ class OpenedWindow : public PatientCommand {
     }
   }
 
-  // Opens a display and the window, does what `person` says, and waits for the end of the program: its exit code.
+  // Opens a display and the window, executes `person`, and waits for the end of the program: its exit code.
   static std::string run(const std::string& command, const std::string& person) {
     write("person.sh", R"(set -u
 rm -f display code

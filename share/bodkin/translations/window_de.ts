@@ -24,7 +24,7 @@
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>The versions as text, for a report of a fault</source>
+        <source>Copy the versions as text, for a bug report</source>
         <translation>Die Versionen als Text, für die Meldung eines Fehlers</translation>
     </message>
     <message>
@@ -87,7 +87,7 @@
         <translation>Diesen Punkt üben</translation>
     </message>
     <message>
-        <source>Needle it in a block of the body about it</source>
+        <source>Needle it in a block of the body around it</source>
         <translation>Nadeln in einem Block des Körpers um ihn herum</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         <translation>Punkte finden</translation>
     </message>
     <message>
-        <source>A point is named, you show it on the body (N)</source>
+        <source>Show on the body where a named point is (N)</source>
         <translation>Ein Punkt wird genannt, Sie zeigen ihn am Körper (N)</translation>
     </message>
     <message>
@@ -111,7 +111,7 @@
         <translation>Zurück zum Atlas</translation>
     </message>
     <message>
-        <source>Stop being asked (Esc)</source>
+        <source>Stop finding points (Esc)</source>
         <translation>Nicht weiter gefragt werden (Esc)</translation>
     </message>
     <message>
@@ -271,7 +271,7 @@
 <context>
     <name>ClearanceLegend</name>
     <message>
-        <source>Colours of the skin: clearance of a path from there</source>
+        <source>Colours of the skin: clearance of a path that begins there</source>
         <translation>Farben der Haut: Abstand eines Wegs von dort</translation>
     </message>
     <message>
@@ -321,7 +321,7 @@
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>A session with the tracked needle: recorded, judged and kept; again: it ends (R)</source>
+        <source>Record a session with the tracked needle, which is judged and kept; press again to end it (R)</source>
         <translation>Eine Sitzung mit der verfolgten Nadel: aufgezeichnet, beurteilt und aufbewahrt; noch einmal: sie endet (R)</translation>
     </message>
     <message>
@@ -421,7 +421,7 @@
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Keep this picture, go on (Space)</source>
+        <source>Hold this picture, or continue (Space)</source>
         <translation>Dieses Bild behalten, weiter (Leertaste)</translation>
     </message>
     <message>
@@ -429,7 +429,7 @@
         <translation>Vorführung</translation>
     </message>
     <message>
-        <source>Without a camera: pictures that are rendered once</source>
+        <source>Needs no camera: its pictures are rendered once</source>
         <translation>Ohne Kamera: Bilder, die einmal gerechnet werden</translation>
     </message>
     <message>
@@ -437,7 +437,7 @@
         <translation>Wie gut jeder Körper zu sehen ist</translation>
     </message>
     <message>
-        <source>mm: standard deviation of its tip. Misfit: what is left of the markers' contrast; edges: that at their edges over that on flat parts, large when motion, lens or folding do not fit</source>
+        <source>mm: standard deviation of its tip. Misfit: the part of the markers' contrast that is left over. Edges: misfit at the markers' edges divided by that on flat parts, large when motion, lens or folding do not fit</source>
         <translation>mm: Standardabweichung der Spitze. Rest: was vom Kontrast der Marken bleibt; Kanten: dieser an den Kanten gegen den auf Flächen, groß, wenn Bewegung, Linse oder Faltung nicht passen</translation>
     </message>
     <message>
@@ -537,11 +537,11 @@
         <translation>Dateien von Bodkin (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Rendering a mannequin, a needle and a probe before a camera: %1 %</source>
+        <source>Rendering a mannequin, a needle and a probe in front of a camera: %1 %</source>
         <translation>Eine Puppe, eine Nadel und ein Schallkopf vor einer Kamera werden gerechnet: %1 %</translation>
     </message>
     <message>
-        <source>Choose a camera (/dev/video0), a video or a folder of pictures; or let a demonstration be rendered.</source>
+        <source>Choose a camera (/dev/video0), a video or a folder of pictures, or press Demonstration.</source>
         <translation>Wählen Sie eine Kamera (/dev/video0), ein Video oder einen Ordner mit Bildern; oder lassen Sie eine Vorführung rechnen.</translation>
     </message>
     <message>
@@ -549,7 +549,7 @@
         <translation>Die Bilder werden geöffnet, der Patient wird vorbereitet.</translation>
     </message>
     <message>
-        <source>%1 pictures/s, each shown %2 ms after it came.</source>
+        <source>%1 pictures/s, each shown %2 ms after it arrived.</source>
         <translation>%1 Bilder/s, jedes %2 ms nach seiner Ankunft.</translation>
     </message>
     <message>
@@ -576,7 +576,7 @@
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>What can hold the needle; a filled lamp: it is there</source>
+        <source>Devices that can hold the needle; a filled lamp means that one is connected</source>
         <translation>Was die Nadel halten kann; leuchtet die Lampe, ist es da</translation>
     </message>
     <message>
@@ -592,7 +592,7 @@
         <translation>Damit üben</translation>
     </message>
     <message>
-        <source>The attempts that follow are made with it</source>
+        <source>Use this device for the following attempts</source>
         <translation>Die folgenden Versuche werden damit gemacht</translation>
     </message>
     <message>
@@ -624,7 +624,7 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Let the device go; nothing of this is kept</source>
+        <source>Release the device; nothing is saved</source>
         <translation>Das Gerät loslassen; nichts davon wird behalten</translation>
     </message>
     <message>
@@ -636,7 +636,7 @@
         <translation>%1 wird gefragt ...</translation>
     </message>
     <message>
-        <source>It needs nothing: the wheel pushes the needle, and what the needle meets is seen as the way that the hand runs ahead of it.</source>
+        <source>It needs no setup: the wheel pushes the needle, and the resistance is shown as the distance by which the hand is ahead of the needle.</source>
         <translation>Sie braucht nichts: das Mausrad schiebt die Nadel, und was die Nadel trifft, sieht man daran, wie weit die Hand ihr voraus ist.</translation>
     </message>
     <message>
@@ -683,7 +683,7 @@
         <translation>Kraftschleife</translation>
     </message>
     <message>
-        <source>It does not run</source>
+        <source>It is not running</source>
         <translation>Sie läuft nicht</translation>
     </message>
     <message>
@@ -703,7 +703,7 @@
         <translation>Kraftmodell</translation>
     </message>
     <message>
-        <source>It has no numbers of its own</source>
+        <source>It has no values to show</source>
         <translation>Es hat keine eigenen Zahlen</translation>
     </message>
     <message>
@@ -735,7 +735,7 @@
         <translation>das Gerät: höchstens %1 N, dauernd %2 N, %3 N/mm</translation>
     </message>
     <message>
-        <source>What guard and station say</source>
+        <source>Messages of the guard and the station</source>
         <translation>Was Wächter und Station sagen</translation>
     </message>
     <message>
@@ -845,7 +845,7 @@
 <context>
     <name>Keys</name>
     <message>
-        <source>start, pause, go on</source>
+        <source>start, pause, continue</source>
         <translation>beginnen, anhalten, weiter</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>Teile des Patienten</translation>
     </message>
     <message>
-        <source>Tick what is shown; opacity and colour below are those of the row that is chosen</source>
+        <source>Tick the parts to show; opacity and colour below belong to the chosen row</source>
         <translation>Angekreuzt ist, was gezeigt wird; Deckkraft und Farbe darunter gelten für die gewählte Zeile</translation>
     </message>
     <message>
@@ -994,7 +994,7 @@
         <translation>Name der Ansicht</translation>
     </message>
     <message>
-        <source>What this look is to be called; a name that is there already is replaced</source>
+        <source>Name of this look; a look that already has this name is replaced</source>
         <translation>Wie diese Ansicht heißen soll; ein Name, den es schon gibt, wird ersetzt</translation>
     </message>
     <message>
@@ -1014,7 +1014,7 @@
         <translation>mit dieser Blickrichtung</translation>
     </message>
     <message>
-        <source>The look also says from where the patient is seen</source>
+        <source>The look also keeps the direction of view</source>
         <translation>Die Ansicht sagt auch, von wo der Patient gesehen wird</translation>
     </message>
     <message>
@@ -1022,7 +1022,7 @@
         <translation>der Patient öffnet sich damit</translation>
     </message>
     <message>
-        <source>The next time this patient is opened, he looks like this</source>
+        <source>The patient is shown like this when opened again</source>
         <translation>Wenn dieser Patient das nächste Mal geöffnet wird, sieht er so aus</translation>
     </message>
     <message>
@@ -1037,11 +1037,11 @@
         <translation>Erweiterte Wirklichkeit</translation>
     </message>
     <message>
-        <source>A camera sees a mannequin: the patient in it, the ultrasound where the probe points</source>
+        <source>A camera sees a mannequin: shows the patient in it and the ultrasound at the probe</source>
         <translation>Eine Kamera sieht eine Puppe: der Patient in ihr, der Ultraschall, wohin der Schallkopf zeigt</translation>
     </message>
     <message>
-        <source>The ring is where it was planned. Esc brings the results back.</source>
+        <source>The ring is at the planned entry. Esc brings the results back.</source>
         <translation>Der Ring zeigt, wo es geplant war. Esc bringt die Ergebnisse zurück.</translation>
     </message>
     <message>
@@ -1053,7 +1053,7 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>Choose where to go in, and where to</source>
+        <source>Choose where to go in, and the target</source>
         <translation>Wählen, wo es hineingeht und wohin</translation>
     </message>
     <message>
@@ -1093,7 +1093,7 @@
         <translation>Geräte</translation>
     </message>
     <message>
-        <source>What holds the needle: find, check, calibrate</source>
+        <source>Devices that hold the needle: find, check, calibrate</source>
         <translation>Was die Nadel hält: finden, prüfen, kalibrieren</translation>
     </message>
     <message>
@@ -1109,7 +1109,7 @@
         <translation>Modelleinstellungen</translation>
     </message>
     <message>
-        <source>The numbers of the force model, one a step, and what they do</source>
+        <source>The values of the force model, one per step, and what they do</source>
         <translation>Die Zahlen des Kraftmodells, eine je Schritt, und was sie bewirken</translation>
     </message>
     <message>
@@ -1121,7 +1121,7 @@
         <translation>Der Schallkopf in Ihrer Hand, daneben das CT derselben Ebene</translation>
     </message>
     <message>
-        <source>putting the station together</source>
+        <source>preparing the session</source>
         <translation>die Station wird aufgebaut</translation>
     </message>
     <message>
@@ -1193,7 +1193,7 @@
         <translation>Ziehen Sie die Nadel zuerst aus dem Körper, dann bewegen Sie ihn.</translation>
     </message>
     <message>
-        <source>A drag turns the body, with the right button it moves it. G ends.</source>
+        <source>Drag to turn the body, right drag to move it. G ends.</source>
         <translation>Ziehen dreht den Körper, mit der rechten Taste verschiebt es ihn. G beendet es.</translation>
     </message>
     <message>
@@ -1212,7 +1212,7 @@
 <context>
     <name>ModelsPage</name>
     <message>
-        <source>What was changed the last time is here again; Ctrl+Z takes it back.</source>
+        <source>Your changes of the last time are restored; Ctrl+Z undoes them.</source>
         <translation>Was beim letzten Mal geändert wurde, ist wieder da; Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
@@ -1224,15 +1224,15 @@
         <translation>Kraftmodell</translation>
     </message>
     <message>
-        <source>Another model of the force along the needle, with its own steps</source>
+        <source>Choose another model of the force along the needle, with its own steps</source>
         <translation>Ein anderes Modell der Kraft entlang der Nadel, mit eigenen Schritten</translation>
     </message>
     <message>
-        <source>All numbers, not only the eleven</source>
+        <source>All values, not only the eleven main ones</source>
         <translation>Alle Zahlen, nicht nur die elf</translation>
     </message>
     <message>
-        <source>Every number of every tissue on the planned path</source>
+        <source>Every value of every tissue on the planned path</source>
         <translation>Jede Zahl jedes Gewebes auf dem geplanten Weg</translation>
     </message>
     <message>
@@ -1276,7 +1276,7 @@
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Type a number, also one beyond the slider</source>
+        <source>Type a value, which may be outside the slider's range</source>
         <translation>Eine Zahl eingeben, auch jenseits des Reglers</translation>
     </message>
     <message>
@@ -1288,7 +1288,7 @@
         <translation>Rückgängig   Strg+Z</translation>
     </message>
     <message>
-        <source>The last change back</source>
+        <source>Undo the last change (Ctrl+Z)</source>
         <translation>Die letzte Änderung zurücknehmen</translation>
     </message>
     <message>
@@ -1296,7 +1296,7 @@
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>What was undone again (Ctrl+Shift+Z)</source>
+        <source>Redo the last undone change (Ctrl+Shift+Z)</source>
         <translation>Was rückgängig gemacht wurde, noch einmal (Strg+Umschalt+Z)</translation>
     </message>
     <message>
@@ -1304,7 +1304,7 @@
         <translation>Diesen Schritt zurücksetzen</translation>
     </message>
     <message>
-        <source>The value that the patient came with</source>
+        <source>Restore the value that the patient came with</source>
         <translation>Der Wert, mit dem der Patient kam</translation>
     </message>
     <message>
@@ -1312,7 +1312,7 @@
         <translation>Zurück   ←</translation>
     </message>
     <message>
-        <source>The step before</source>
+        <source>Previous step</source>
         <translation>Der Schritt davor</translation>
     </message>
     <message>
@@ -1328,23 +1328,23 @@
         <translation>Damit üben</translation>
     </message>
     <message>
-        <source>This is felt from the next attempt on.</source>
+        <source>This takes effect from the next attempt on.</source>
         <translation>Das ist vom nächsten Versuch an zu spüren.</translation>
     </message>
     <message>
-        <source>The needle feels it at once: now %1 N along it, %2 mm deep.</source>
+        <source>This takes effect at once: now %1 N along the needle, %2 mm deep.</source>
         <translation>Die Nadel spürt es sofort: jetzt %1 N längs, %2 mm tief.</translation>
     </message>
     <message>
-        <source>The needle feels it at once; it is outside now.</source>
+        <source>This takes effect at once; the needle is outside the body now.</source>
         <translation>Die Nadel spürt es sofort; sie ist gerade außerhalb.</translation>
     </message>
     <message>
-        <source>A new attempt begins, which feels these numbers</source>
+        <source>Begin a new attempt with these values</source>
         <translation>Ein neuer Versuch beginnt, der diese Zahlen spürt</translation>
     </message>
     <message>
-        <source>This model has no numbers.</source>
+        <source>This model has no settings.</source>
         <translation>Dieses Modell hat keine Zahlen.</translation>
     </message>
     <message>
@@ -1384,7 +1384,7 @@
         <translation>Die Vorgabe ist unsere Wahl.</translation>
     </message>
     <message>
-        <source>first give %1 N, </source>
+        <source>first puncture %1 N, </source>
         <translation>gibt zuerst nach bei %1 N, </translation>
     </message>
     <message>
@@ -1449,7 +1449,7 @@
         <translation>Was möchten Sie tun?</translation>
     </message>
     <message>
-        <source>Some letters of it; arrows choose, Enter does it, Esc closes</source>
+        <source>Type part of its name; arrows choose, Enter runs it, Esc closes</source>
         <translation>Einige Buchstaben davon; Pfeile wählen, Eingabe führt aus, Esc schließt</translation>
     </message>
     <message>
@@ -1457,7 +1457,7 @@
         <translation>Befehle</translation>
     </message>
     <message>
-        <source>Click to do it</source>
+        <source>Click to run it</source>
         <translation>Klicken führt es aus</translation>
     </message>
 </context>
@@ -1468,7 +1468,7 @@
         <translation>Weg ohne Anatomie</translation>
     </message>
     <message>
-        <source>The way of the tip; the patient of this session is not there</source>
+        <source>Path of the tip; the patient of this session is not available</source>
         <translation>Der Weg der Spitze; der Patient dieser Sitzung ist nicht da</translation>
     </message>
     <message>
@@ -1487,7 +1487,7 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Go on where you were (Esc)</source>
+        <source>Continue where you were (Esc)</source>
         <translation>Weitermachen, wo Sie waren (Esc)</translation>
     </message>
     <message>
@@ -1511,7 +1511,7 @@
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>Save this attempt and see how it went</source>
+        <source>Save this attempt and see the result</source>
         <translation>Diesen Versuch speichern und sehen, wie er war</translation>
     </message>
     <message>
@@ -1527,7 +1527,7 @@
         <translation>Der Wächter hat die Kraft weggenommen</translation>
     </message>
     <message>
-        <source>The device went away</source>
+        <source>The device was disconnected</source>
         <translation>Das Gerät ist weg</translation>
     </message>
     <message>
@@ -1605,7 +1605,7 @@
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>Take the last change back (Ctrl+Z)</source>
+        <source>Undo the last change (Ctrl+Z)</source>
         <translation>Die letzte Änderung zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
@@ -1613,7 +1613,7 @@
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Do it again (Ctrl+Shift+Z)</source>
+        <source>Redo the last undone change (Ctrl+Shift+Z)</source>
         <translation>Noch einmal tun (Strg+Umschalt+Z)</translation>
     </message>
     <message>
@@ -1737,7 +1737,7 @@
         <translation>Weitere werden gesucht ...</translation>
     </message>
     <message>
-        <source>Every one of these keeps its distance. Tab: next.</source>
+        <source>Every one of these paths keeps its distance. Tab: next.</source>
         <translation>Jeder dieser Wege hält Abstand. Tab: der nächste.</translation>
     </message>
     <message>
@@ -1792,7 +1792,7 @@
         <translation>Manometer</translation>
     </message>
     <message>
-        <source>Ask the patient to hold the breath, or to breathe on (Z)</source>
+        <source>Ask the patient to hold the breath, or to breathe again (Z)</source>
         <translation>Den Patienten bitten, den Atem anzuhalten oder weiterzuatmen (Z)</translation>
     </message>
     <message>
@@ -1847,7 +1847,7 @@
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>Save this attempt and see how it went</source>
+        <source>Save this attempt and see the result</source>
         <translation>Diesen Versuch speichern und sehen, wie er war</translation>
     </message>
     <message>
@@ -1863,7 +1863,7 @@
         <translation>Rückgängig</translation>
     </message>
     <message>
-        <source>The last move of the body back (Ctrl+Z)</source>
+        <source>Undo the last move of the body (Ctrl+Z)</source>
         <translation>Die letzte Bewegung des Körpers zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
@@ -1871,11 +1871,11 @@
         <translation>Wie anfangs</translation>
     </message>
     <message>
-        <source>The body as it lay at first (Ctrl+Home)</source>
+        <source>Put the body back where it was at first (Ctrl+Home)</source>
         <translation>Der Körper, wie er anfangs lag (Strg+Pos1)</translation>
     </message>
     <message>
-        <source>The inside of the patient from his CT, beside the slices (I); M for the mode, P for the preset</source>
+        <source>The inside of the patient from the CT, next to the slices (I); M for the mode, P for the preset</source>
         <translation>Das Innere des Patienten aus seinem CT, neben den Schichten (I); M für die Darstellung, P für die Voreinstellung</translation>
     </message>
 </context>
@@ -1928,7 +1928,7 @@
         <translation>Ansehen, wo</translation>
     </message>
     <message>
-        <source>The card away: the needle and the planned point in the views (Esc brings it back)</source>
+        <source>Hide this card and show the needle and the planned point in the views (Esc brings it back)</source>
         <translation>Die Karte weg: die Nadel und der geplante Punkt in den Ansichten (Esc bringt sie zurück)</translation>
     </message>
     <message>
@@ -1995,7 +1995,7 @@
         <translation>Vergleichen ...</translation>
     </message>
     <message>
-        <source>Compare no more</source>
+        <source>Stop comparing</source>
         <translation>Nicht mehr vergleichen</translation>
     </message>
     <message>
@@ -2075,7 +2075,7 @@
         <translation>&lt; Ereignis</translation>
     </message>
     <message>
-        <source>To what happened before (Shift+Left)</source>
+        <source>Go to the previous event (Shift+Left)</source>
         <translation>Zu dem, was davor geschah (Umschalt+Links)</translation>
     </message>
     <message>
@@ -2083,7 +2083,7 @@
         <translation>&lt; Schritt</translation>
     </message>
     <message>
-        <source>A picture back, 1/25 s (Left)</source>
+        <source>One frame back, 1/25 s (Left)</source>
         <translation>Ein Bild zurück, 1/25 s (Links)</translation>
     </message>
     <message>
@@ -2095,7 +2095,7 @@
         <translation>Schritt &gt;</translation>
     </message>
     <message>
-        <source>A picture on, 1/25 s (Right)</source>
+        <source>One frame forward, 1/25 s (Right)</source>
         <translation>Ein Bild weiter, 1/25 s (Rechts)</translation>
     </message>
     <message>
@@ -2103,7 +2103,7 @@
         <translation>Ereignis &gt;</translation>
     </message>
     <message>
-        <source>To what happens next (Shift+Right)</source>
+        <source>Go to the next event (Shift+Right)</source>
         <translation>Zu dem, was danach geschieht (Umschalt+Rechts)</translation>
     </message>
     <message>
@@ -2115,7 +2115,7 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop what is being done</source>
+        <source>Stop the running task</source>
         <translation>Was gerade getan wird, anhalten</translation>
     </message>
     <message>
@@ -2127,7 +2127,7 @@
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>Write the page of HTML, and show it (G)</source>
+        <source>Write the report as an HTML page, and show it (G)</source>
         <translation>Die HTML-Seite schreiben und zeigen (G)</translation>
     </message>
     <message>
@@ -2143,7 +2143,7 @@
         <translation>Video ...</translation>
     </message>
     <message>
-        <source>By ffmpeg, where it is installed</source>
+        <source>Made with ffmpeg, if it is installed</source>
         <translation>Mit ffmpeg, wo es installiert ist</translation>
     </message>
 </context>
@@ -2202,7 +2202,7 @@
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>Kernel: how edges and noise come out</source>
+        <source>Kernel: sharpness of edges against noise</source>
         <translation>Faltungskern: wie Kanten und Rauschen herauskommen</translation>
     </message>
     <message>
@@ -2210,7 +2210,7 @@
         <translation>SCAN</translation>
     </message>
     <message>
-        <source>Takes the slices; press again to stop (S)</source>
+        <source>Acquire the slices; press again to stop (S)</source>
         <translation>Nimmt die Schichten auf; noch einmal drücken hält an (S)</translation>
     </message>
     <message>
@@ -2266,7 +2266,7 @@
         <translation>keine Lücken</translation>
     </message>
     <message>
-        <source>Stopped; the slices that came remain.</source>
+        <source>Stopped; the slices acquired so far remain.</source>
         <translation>Angehalten; die gekommenen Schichten bleiben.</translation>
     </message>
     <message>
@@ -2369,7 +2369,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>nach seinen HU</translation>
     </message>
     <message>
-        <source>What was not saved the last time is here again; Ctrl+Z takes it back.</source>
+        <source>Changes that were not saved the last time are restored; Ctrl+Z undoes them.</source>
         <translation>Was beim letzten Mal nicht gesichert wurde, ist wieder da; Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
@@ -2377,7 +2377,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Machen Sie zuerst eine Struktur: ihr Name, dann Neu.</translation>
     </message>
     <message>
-        <source>Paint it, grow it from a click, or take a range of HU.</source>
+        <source>Paint it, grow it from a click, or add a range of HU.</source>
         <translation>Malen Sie sie, lassen Sie sie von einem Klick aus wachsen, oder nehmen Sie einen HU-Bereich.</translation>
     </message>
     <message>
@@ -2421,7 +2421,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Gewebe der neuen Struktur</translation>
     </message>
     <message>
-        <source>What it is made of</source>
+        <source>Tissue that the structure is made of</source>
         <translation>Woraus sie besteht</translation>
     </message>
     <message>
@@ -2429,7 +2429,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Neu</translation>
     </message>
     <message>
-        <source>A structure of this name and tissue</source>
+        <source>Make a structure with this name and tissue</source>
         <translation>Eine Struktur mit diesem Namen und Gewebe</translation>
     </message>
     <message>
@@ -2457,7 +2457,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Tilgen</translation>
     </message>
     <message>
-        <source>Takes from the structure (E)</source>
+        <source>Removes from the structure (E)</source>
         <translation>Nimmt von der Struktur weg (E)</translation>
     </message>
     <message>
@@ -2465,7 +2465,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Region</translation>
     </message>
     <message>
-        <source>A click takes what hangs together with it in the range of HU (G)</source>
+        <source>A click adds the connected voxels in the range of HU (G)</source>
         <translation>Ein Klick nimmt, was im HU-Bereich mit der Stelle zusammenhängt (G)</translation>
     </message>
     <message>
@@ -2525,7 +2525,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Schichten füllen</translation>
     </message>
     <message>
-        <source>Axial slices between painted ones take the shape between</source>
+        <source>Interpolate the structure in the axial slices between painted ones</source>
         <translation>Axiale Schichten zwischen bemalten bekommen die Form dazwischen</translation>
     </message>
     <message>
@@ -2533,11 +2533,11 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Glätten</translation>
     </message>
     <message>
-        <source>Takes specks, holes and stairs that are smaller</source>
+        <source>Removes specks, holes and steps that are smaller</source>
         <translation>Nimmt Flecken, Löcher und Stufen weg, die kleiner sind</translation>
     </message>
     <message>
-        <source>How much Smooth takes</source>
+        <source>Size of what Smooth removes</source>
         <translation>Wie viel Glätten wegnimmt</translation>
     </message>
     <message>
@@ -2561,7 +2561,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Take the last step back (Ctrl+Z)</source>
+        <source>Undo the last step (Ctrl+Z)</source>
         <translation>Den letzten Schritt zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
@@ -2569,7 +2569,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Vor</translation>
     </message>
     <message>
-        <source>Do it again (Ctrl+Shift+Z)</source>
+        <source>Redo the last undone change (Ctrl+Shift+Z)</source>
         <translation>Noch einmal tun (Strg+Umschalt+Z)</translation>
     </message>
     <message>
@@ -2577,7 +2577,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Into the case; tissues and path are made anew</source>
+        <source>Save into the case; tissues and path are computed again</source>
         <translation>In den Fall; Gewebe und Weg werden neu gemacht</translation>
     </message>
     <message>
@@ -2597,7 +2597,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Name, für eine neue oder ein anderer</translation>
     </message>
     <message>
-        <source>Name of a new structure, or another for the chosen one</source>
+        <source>Name of a new structure, or a new name for the chosen one</source>
         <translation>Name einer neuen Struktur, oder ein anderer für die gewählte</translation>
     </message>
     <message>
@@ -2605,7 +2605,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>The chosen structure gets the name that stands above</source>
+        <source>Give the chosen structure the name typed above</source>
         <translation>Die gewählte Struktur bekommt den Namen, der darüber steht</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Eine Datei öffnen</translation>
     </message>
     <message>
-        <source>A session that lies elsewhere; it can also be dropped here</source>
+        <source>Open a session from another folder; it can also be dropped here</source>
         <translation>Eine Sitzung, die anderswo liegt; man kann sie auch hier ablegen</translation>
     </message>
     <message>
@@ -2678,7 +2678,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>%1      %2, %3 MB</translation>
     </message>
     <message>
-        <source>There is none yet in %1: practise once, or open a file that bodkin run or bodkin perform wrote.</source>
+        <source>There is no session in %1 yet: practise once, or open a file that bodkin run or bodkin perform wrote.</source>
         <translation>In %1 ist noch keine: üben Sie einmal, oder öffnen Sie eine Datei, die bodkin run oder bodkin perform schrieb.</translation>
     </message>
 </context>
@@ -2793,7 +2793,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Der ganze Eingriff (Pos1)</translation>
     </message>
     <message>
-        <source>Into the big place (Enter)</source>
+        <source>Enlarge this view (Enter)</source>
         <translation>An den großen Platz (Eingabe)</translation>
     </message>
 </context>
@@ -2808,7 +2808,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Versionen von Bodkin und seinen Bibliotheken, und die Lizenz</translation>
     </message>
     <message>
-        <source>The window in this language, now and the next time</source>
+        <source>Show the window in this language, from now on</source>
         <translation>Das Fenster in dieser Sprache, jetzt und beim nächsten Mal</translation>
     </message>
     <message>
@@ -2852,7 +2852,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Lumbalpunktion beginnen     Eingabe</translation>
     </message>
     <message>
-        <source>The first time the patient is made, which takes some seconds</source>
+        <source>The first time, the patient has to be made, which takes some seconds</source>
         <translation>Beim ersten Mal wird der Patient gemacht, das dauert einige Sekunden</translation>
     </message>
     <message>
@@ -2864,7 +2864,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Rundgang, zwei Minuten     T</translation>
     </message>
     <message>
-        <source>Look, aim, push, read: four balloons that end by being done</source>
+        <source>Look, aim, push, read: four hints that close once you have followed them</source>
         <translation>Schauen, zielen, schieben, ablesen: vier Sprechblasen, die mit dem Tun vergehen</translation>
     </message>
     <message>
@@ -2880,7 +2880,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Rückblick</translation>
     </message>
     <message>
-        <source>See it, as far as it was recorded</source>
+        <source>See the part that was recorded</source>
         <translation>Ansehen, so weit sie aufgezeichnet wurde</translation>
     </message>
     <message>
@@ -2888,7 +2888,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Vergessen</translation>
     </message>
     <message>
-        <source>Offer it no more; the file stays</source>
+        <source>Do not offer it again; the file stays</source>
         <translation>Nicht mehr anbieten; die Datei bleibt</translation>
     </message>
     <message>
@@ -2928,7 +2928,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Nicht mehr folgen</translation>
     </message>
     <message>
-        <source>Offer it no more; results stay in the store</source>
+        <source>Do not offer it again; results stay in the store</source>
         <translation>Nicht mehr anbieten; die Ergebnisse bleiben</translation>
     </message>
 </context>
@@ -2939,7 +2939,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Verlauf der Sitzung</translation>
     </message>
     <message>
-        <source>Click or drag to go to a moment, click a flag to go to what happened</source>
+        <source>Click or drag to go to a time, click a flag to go to its event</source>
         <translation>Klicken oder ziehen, um zu einem Augenblick zu gehen; ein Fähnchen anklicken, um zu dem zu gehen, was geschah</translation>
     </message>
     <message>
@@ -3005,7 +3005,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Ultraschall</translation>
     </message>
     <message>
-        <source>Ultrasound beside the needle (U); a new attempt begins</source>
+        <source>Ultrasound next to the needle (U); a new attempt begins</source>
         <translation>Ultraschall neben der Nadel (U); ein neuer Versuch beginnt</translation>
     </message>
     <message>
@@ -3029,7 +3029,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Angehalten</translation>
     </message>
     <message>
-        <source>The force loop does not run</source>
+        <source>The force loop is not running</source>
         <translation>Die Kraftschleife läuft nicht</translation>
     </message>
     <message>
@@ -3037,7 +3037,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>%1 verloren</translation>
     </message>
     <message>
-        <source>The device went away; click to mend it</source>
+        <source>The device was disconnected; click to reconnect it</source>
         <translation>Das Gerät ist weg; klicken, um es zu beheben</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Rundgang überspringen</translation>
     </message>
     <message>
-        <source>Close this and practise on</source>
+        <source>Close this and continue to practise</source>
         <translation>Dies schließen und weiterüben</translation>
     </message>
     <message>
@@ -3159,7 +3159,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Einen Plan öffnen</translation>
     </message>
     <message>
-        <source>A file that a teacher has written</source>
+        <source>Open a plan that a teacher has written</source>
         <translation>Eine Datei, die ein Lehrer geschrieben hat</translation>
     </message>
     <message>
@@ -3179,7 +3179,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Beginnen     Eingabe</translation>
     </message>
     <message>
-        <source>Begin, or go on</source>
+        <source>Begin, or continue</source>
         <translation>Beginnen, oder weitermachen</translation>
     </message>
     <message>
@@ -3679,7 +3679,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Arbeitsraum des Geräts</translation>
     </message>
     <message>
-        <source>Where the tool is, in the box that it can reach; below, the force that leaves</source>
+        <source>Position of the tool in the workspace; below, the force sent to the device</source>
         <translation>Wo das Werkzeug ist, in dem Kasten, den es erreichen kann; darunter die Kraft, die abgegeben wird</translation>
     </message>
     <message>
@@ -3710,7 +3710,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Schauen</translation>
     </message>
     <message>
-        <source>Turn the patient: drag beside the needle with the left button, or press an arrow key.</source>
+        <source>Turn the patient: drag next to the needle with the left button, or press an arrow key.</source>
         <translation>Drehen Sie den Patienten: ziehen Sie neben der Nadel mit der linken Taste, oder drücken Sie eine Pfeiltaste.</translation>
     </message>
     <message>
@@ -3734,7 +3734,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Ablesen</translation>
     </message>
     <message>
-        <source>Upper left is the tissue that the tip is in, right of it the ladder of what lies on the needle's line. Push on until the name changes.</source>
+        <source>At the upper left is the tissue at the tip, and to the right of it the ladder of the tissues on the needle's line. Push on until the name changes.</source>
         <translation>Oben links steht das Gewebe, in dem die Spitze ist, rechts davon die Leiter dessen, was auf der Linie der Nadel liegt. Schieben Sie weiter, bis der Name wechselt.</translation>
     </message>
     <message>
@@ -3742,7 +3742,7 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Das ist alles</translation>
     </message>
     <message>
-        <source>Go on until the fluid: scroll on, slowly at the last give. Space holds the needle, E ends and shows how it went, F1 shows every key.</source>
+        <source>Continue until you reach the fluid, slowly at the last puncture. Space holds the needle, E ends and shows the result, F1 shows every key.</source>
         <translation>Weiter bis zum Liquor: drehen Sie weiter, langsam beim letzten Nachgeben. Leertaste hält die Nadel, E beendet und zeigt, wie es war, F1 zeigt alle Tasten.</translation>
     </message>
 </context>
@@ -3886,11 +3886,11 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Ein Fall, ein DICOM-Ordner oder ein Bild zum Beginnen</translation>
     </message>
     <message>
-        <source>Do what FILE says, and leave</source>
+        <source>Run the commands in FILE, then quit</source>
         <translation>Tun, was DATEI sagt, und beenden</translation>
     </message>
     <message>
-        <source>Folder for the script's pictures</source>
+        <source>Folder for the script's screenshots</source>
         <translation>Ordner für die Bilder des Skripts</translation>
     </message>
     <message>
@@ -3898,27 +3898,27 @@ Setzen Sie den Bereich im Scout und drücken Sie Scan.</translation>
         <translation>Größe des Fensters, 1280x720</translation>
     </message>
     <message>
-        <source>Measure the window's speed, print it, and leave</source>
+        <source>Measure the window's speed, print it, then quit</source>
         <translation>Die Geschwindigkeit des Fensters messen, ausgeben, und beenden</translation>
     </message>
     <message>
-        <source>How to perform, as bodkin perform says it</source>
+        <source>Options of the attempt, as bodkin perform passes them</source>
         <translation>Wie geübt wird, wie bodkin perform es sagt</translation>
     </message>
     <message>
-        <source>Show the session of bodkin serve at this machine, HOST or HOST:PORT</source>
+        <source>Show the session of the bodkin serve at HOST or HOST:PORT</source>
         <translation>Die Sitzung von bodkin serve auf diesem Rechner zeigen, HOST oder HOST:PORT</translation>
     </message>
     <message>
-        <source>The probe in the hand, as bodkin ultrasound --live says it</source>
+        <source>Settings of the live probe, as bodkin ultrasound --live passes them</source>
         <translation>Der Schallkopf in der Hand, wie bodkin ultrasound --live es sagt</translation>
     </message>
     <message>
-        <source>Beginning of the pictures' names</source>
+        <source>Beginning of the names of saved images</source>
         <translation>Anfang der Bildnamen</translation>
     </message>
     <message>
-        <source>Give the whole force although the system may hold up the servo</source>
+        <source>Allow the full force, although the system may delay the servo</source>
         <translation>Die ganze Kraft geben, auch wenn das System die Regelung aufhalten kann</translation>
     </message>
     <message>

@@ -5,15 +5,15 @@
 <context>
     <name>Keys</name>
     <message>
-        <source>turn and move the body, or let it be</source>
+        <source>turn and move the body, or stop moving it</source>
         <translation>den Körper drehen und verschieben, oder ihn lassen</translation>
     </message>
     <message>
-        <source>the last move of the body back</source>
+        <source>undo the last move of the body</source>
         <translation>die letzte Bewegung des Körpers zurücknehmen</translation>
     </message>
     <message>
-        <source>the body as it lay at first</source>
+        <source>put the body back where it was at first</source>
         <translation>der Körper, wie er anfangs lag</translation>
     </message>
     <message>
@@ -25,7 +25,7 @@
         <translation>größerer Pinsel</translation>
     </message>
     <message>
-        <source>a picture back, on</source>
+        <source>one frame back, forward</source>
         <translation>ein Bild zurück, vor</translation>
     </message>
     <message>
@@ -33,7 +33,7 @@
         <translation>kleinerer Pinsel</translation>
     </message>
     <message>
-        <source>all of this in the picture</source>
+        <source>show these keys in the image</source>
         <translation>alles davon ins Bild</translation>
     </message>
     <message>
@@ -81,7 +81,7 @@
         <translation>die Nadel um ihre Achse drehen, solange gehalten</translation>
     </message>
     <message>
-        <source>along the needle, or as it was</source>
+        <source>along the needle, on or off</source>
         <translation>längs der Nadel, oder wie zuvor</translation>
     </message>
     <message>
@@ -97,11 +97,11 @@
         <translation>Dynamikbereich; mit Umschalt weniger</translation>
     </message>
     <message>
-        <source>end, and see how it went</source>
+        <source>end, and see the result</source>
         <translation>beenden und sehen, wie es war</translation>
     </message>
     <message>
-        <source>event before, next event</source>
+        <source>previous event, next event</source>
         <translation>Ereignis davor, nächstes</translation>
     </message>
     <message>
@@ -173,7 +173,7 @@
         <translation>letzte Schicht</translation>
     </message>
     <message>
-        <source>leave Bodkin</source>
+        <source>quit Bodkin</source>
         <translation>Bodkin beenden</translation>
     </message>
     <message>
@@ -201,7 +201,7 @@
         <translation>einen zu findenden Punkt nennen</translation>
     </message>
     <message>
-        <source>touch with the device's needle, or not</source>
+        <source>touch with the device's needle, on or off</source>
         <translation>mit der Nadel des Geräts berühren, oder nicht</translation>
     </message>
     <message>
@@ -241,11 +241,11 @@
         <translation>Zahlen an, aus</translation>
     </message>
     <message>
-        <source>one unit less</source>
+        <source>decrease by one unit</source>
         <translation>eine Einheit weniger</translation>
     </message>
     <message>
-        <source>one unit of the last digit more</source>
+        <source>increase by one unit of the last digit</source>
         <translation>eine Einheit der letzten Stelle mehr</translation>
     </message>
     <message>
@@ -273,7 +273,7 @@
         <translation>Mandrin heraus, hinein</translation>
     </message>
     <message>
-        <source>ask the patient to hold the breath, or to breathe on</source>
+        <source>ask the patient to hold the breath, or to breathe again</source>
         <translation>den Patienten bitten, den Atem anzuhalten oder weiterzuatmen</translation>
     </message>
     <message>
@@ -337,7 +337,7 @@
         <translation>Haut, Ausschnitt, Knochen, durchsichtig</translation>
     </message>
     <message>
-        <source>slice before</source>
+        <source>previous slice</source>
         <translation>Schicht davor</translation>
     </message>
     <message>
@@ -373,7 +373,7 @@
         <translation>beginnen</translation>
     </message>
     <message>
-        <source>step before</source>
+        <source>previous step</source>
         <translation>Schritt davor</translation>
     </message>
     <message>
@@ -389,11 +389,11 @@
         <translation>die zuletzt gelassene Nadel herausnehmen</translation>
     </message>
     <message>
-        <source>take the last change back</source>
+        <source>undo the last change</source>
         <translation>die letzte Änderung zurücknehmen</translation>
     </message>
     <message>
-        <source>take the last step back</source>
+        <source>undo the last step</source>
         <translation>den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
@@ -401,11 +401,11 @@
         <translation>den nächsten Vorschlag nehmen</translation>
     </message>
     <message>
-        <source>ten units less</source>
+        <source>decrease by ten units</source>
         <translation>zehn Einheiten weniger</translation>
     </message>
     <message>
-        <source>ten units more</source>
+        <source>increase by ten units</source>
         <translation>zehn Einheiten mehr</translation>
     </message>
     <message>
@@ -441,7 +441,7 @@
         <translation>Dicke der Schicht</translation>
     </message>
     <message>
-        <source>this view large, small</source>
+        <source>enlarge this view, or restore it</source>
         <translation>diese Ansicht groß, klein</translation>
     </message>
     <message>
@@ -465,11 +465,11 @@
         <translation>rückgängig</translation>
     </message>
     <message>
-        <source>view before</source>
+        <source>previous view</source>
         <translation>Ansicht davor</translation>
     </message>
     <message>
-        <source>window before</source>
+        <source>previous window</source>
         <translation>Fenster davor</translation>
     </message>
     <message>
@@ -481,7 +481,7 @@
         <translation>den Bericht schreiben</translation>
     </message>
     <message>
-        <source>begin, or go on</source>
+        <source>begin, or continue</source>
         <translation>beginnen, oder weitermachen</translation>
     </message>
     <message>
@@ -712,7 +712,7 @@
         <translation>Querkontraktionszahl</translation>
     </message>
     <message>
-        <source>the deformable body has such numbers from the next attempt on, for it is prepared with them; its capture radius, times, friction and puncture forces act at once</source>
+        <source>this takes effect from the next attempt on, because the deformable body is prepared with it; its capture radius, times, friction and puncture forces take effect at once</source>
         <translation>solche Zahlen hat der verformbare Körper vom nächsten Versuch an, denn er wird mit ihnen vorbereitet; Fangradius, Zeiten, Reibung und Durchstichkräfte wirken sofort</translation>
     </message>
     <message>
@@ -744,7 +744,7 @@
         <translation>die Grafikkarte hat das Volumen nicht gezeichnet: %1</translation>
     </message>
     <message>
-        <source>the graphics card draws something else than the processor</source>
+        <source>the graphics card draws a different image than the processor</source>
         <translation>die Grafikkarte zeichnet etwas anderes als der Prozessor</translation>
     </message>
     <message>
@@ -760,11 +760,11 @@
         <translation>breitet sich über Brust und Flanken aus</translation>
     </message>
     <message>
-        <source>another force model is felt from the next attempt on</source>
+        <source>another force model takes effect from the next attempt on</source>
         <translation>ein anderes Kraftmodell spürt man vom nächsten Versuch an</translation>
     </message>
     <message>
-        <source>another rate holds from the next attempt on</source>
+        <source>another rate takes effect from the next attempt on</source>
         <translation>eine andere Rate gilt vom nächsten Versuch an</translation>
     </message>
     <message>
@@ -776,7 +776,7 @@
         <translation>Der Körper bleibt, wo er ist: eine Nadel berührt ihn, oder eine zweite Hand nimmt teil.</translation>
     </message>
     <message>
-        <source>The body lies where it lay at first.</source>
+        <source>The body is back where it was at first.</source>
         <translation>Der Körper liegt, wo er anfangs lag.</translation>
     </message>
     <message>
@@ -928,7 +928,7 @@
         <translation>Neuer Versuch</translation>
     </message>
     <message>
-        <source>%1 waits: a session has to be started there</source>
+        <source>%1 waits for a session to be started there</source>
         <translation>%1 wartet: dort muss eine Sitzung begonnen werden</translation>
     </message>
     <message>
@@ -936,7 +936,7 @@
         <translation>%1 bereitet vor</translation>
     </message>
     <message>
-        <source>That is decided at the station, %1.</source>
+        <source>This is controlled at the station, %1.</source>
         <translation>Das wird an der Station %1 entschieden.</translation>
     </message>
     <message>
@@ -944,7 +944,7 @@
         <translation>die Station %1 sagt nicht, welchen Patienten sie hat; nennen Sie die Kopie ihres Falls: bodkin app FALL --connect %2</translation>
     </message>
     <message>
-        <source>the station at %1 has the patient '%2', of whom there is no case here; copy its folder, and name it: bodkin app CASE --connect %3</source>
+        <source>the station at %1 has the patient '%2', whose case is not on this computer; copy its folder, and name the copy: bodkin app CASE --connect %3</source>
         <translation>die Station %1 hat den Patienten „%2“, von dem es hier keinen Fall gibt; kopieren Sie seinen Ordner und nennen Sie ihn: bodkin app FALL --connect %3</translation>
     </message>
     <message>
@@ -960,7 +960,7 @@
         <translation>es gibt keinen Rechner „%1“</translation>
     </message>
     <message>
-        <source>nobody answers at %1 (%2); is the server started?</source>
+        <source>no server answers at %1 (%2); has it been started?</source>
         <translation>niemand antwortet bei %1 (%2); läuft der Server?</translation>
     </message>
     <message>
@@ -1968,7 +1968,7 @@
         <translation>Die Nadel berührte den Körper nie.</translation>
     </message>
     <message>
-        <source>The patient's segmentation is not at hand, so that it could not be seen whether the tip entered %1; name the case with --case.</source>
+        <source>The patient's segmentation is not available, so it could not be checked whether the tip entered %1; name the case with --case.</source>
         <translation>Die Segmentierung des Patienten ist nicht zur Hand; es war nicht zu sehen, ob die Spitze eindrang in: %1. Nennen Sie den Fall mit --case.</translation>
     </message>
     <message>
@@ -2008,7 +2008,7 @@
         <translation>Gemessen mit eigenen Schwellen der Prozedur: %1.</translation>
     </message>
     <message>
-        <source>A needle of %1G is unusual here: %2G to %3G is.</source>
+        <source>A needle of %1G is unusual here; %2G to %3G is usual.</source>
         <translation>Eine Nadel von %1G ist hier unüblich; üblich sind %2G bis %3G.</translation>
     </message>
     <message>
@@ -2164,7 +2164,7 @@
         <translation>Heben Sie erst den Finger (W), nehmen Sie dann die Nadel.</translation>
     </message>
     <message>
-        <source>Withdraw the needle before you fill the syringe anew.</source>
+        <source>Withdraw the needle before you fill the syringe again.</source>
         <translation>Ziehen Sie die Nadel heraus, bevor Sie die Spritze neu füllen.</translation>
     </message>
     <message>
@@ -2364,11 +2364,11 @@
         <translation>Der Ultraschall dieser Sitzung kann nicht gezeigt werden (%1).</translation>
     </message>
     <message>
-        <source>The patient in %1 has changed since this session: slices and 3-D show how it is now.</source>
+        <source>The patient in %1 has changed since this session: slices and 3-D show its present state.</source>
         <translation>Der Patient in %1 hat sich seit dieser Sitzung geändert: Schichten und 3-D zeigen, wie er jetzt ist.</translation>
     </message>
     <message>
-        <source>The patient of this session is not there, so its path is shown without anatomy (%1).</source>
+        <source>The patient of this session is not available, so its path is shown without anatomy (%1).</source>
         <translation>Der Patient dieser Sitzung ist nicht da; der Weg wird ohne Anatomie gezeigt (%1).</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>Prüfung: bewegen Sie das Gerät in alle Ecken, drücken Sie seine Knöpfe</translation>
     </message>
     <message>
-        <source>Ready: %1 rounds a second, %2 of %3 too late, moved within %4.</source>
+        <source>Ready: %1 ticks a second, %2 of %3 too late, moved within %4.</source>
         <translation>Bereit: %1 Runden je Sekunde, %2 von %3 zu spät, bewegt innerhalb von %4.</translation>
     </message>
     <message>
@@ -2440,11 +2440,11 @@
         <translation>Nicht bereit: %1.</translation>
     </message>
     <message>
-        <source>Calibrated, and kept in %1.</source>
+        <source>Calibrated, and saved in %1.</source>
         <translation>Kalibriert und in %1 behalten.</translation>
     </message>
     <message>
-        <source>The device did not let itself be stopped; switch it off and on again.</source>
+        <source>The device could not be stopped; switch it off and on again.</source>
         <translation>Das Gerät ließ sich nicht anhalten; schalten Sie es aus und wieder ein.</translation>
     </message>
     <message>
@@ -2528,7 +2528,7 @@
         <translation>Dieser Patient hat keinen geplanten Weg, an dem die Nadel zu erproben wäre.</translation>
     </message>
     <message>
-        <source>How heavy is the stylus, of which the hand shall feel nothing?</source>
+        <source>How heavy is the stylus, whose weight the hand should not feel?</source>
         <translation>Wie schwer ist der Griff, von dem die Hand nichts spüren soll?</translation>
     </message>
     <message>
@@ -2768,6 +2768,10 @@
         <translation>der Körper wird zerlegt</translation>
     </message>
     <message>
+        <source>building the layers</source>
+        <translation>die Schichten werden aufgebaut</translation>
+    </message>
+    <message>
         <source>preparing the picture of the body</source>
         <translation>das Bild des Körpers wird vorbereitet</translation>
     </message>
@@ -2872,7 +2876,7 @@
         <translation>Lendenbereich. Eine dünne Nadel, 25G, in den Liquor.</translation>
     </message>
     <message>
-        <source>Lumbar torso. A lesion of 20 mm beside the psoas.</source>
+        <source>Lumbar torso. A lesion of 20 mm next to the psoas.</source>
         <translation>Lendenbereich. Ein Herd von 20 mm neben dem Psoas.</translation>
     </message>
     <message>
@@ -3028,7 +3032,7 @@
         <translation>Halten Sie an, sobald die Spitze neben dem Nerv erscheint.</translation>
     </message>
     <message>
-        <source>Shoulder. Beside the nerve, never into it.</source>
+        <source>Shoulder. Next to the nerve, never into it.</source>
         <translation>Schulter. Neben den Nerv, nie hinein.</translation>
     </message>
     <message>
@@ -3036,11 +3040,11 @@
         <translation>Abstand vom geplanten Weg, Mittel</translation>
     </message>
     <message>
-        <source>Fréchet distance of the way from the planned path</source>
+        <source>Fréchet distance of the tip's path from the planned path</source>
         <translation>Fréchet-Abstand des Wegs vom geplanten</translation>
     </message>
     <message>
-        <source>mean distance of the way from the planned path, best aligned</source>
+        <source>mean distance of the tip's path from the planned path, best aligned</source>
         <translation>mittlerer Abstand des Wegs vom geplanten, bestmöglich ausgerichtet</translation>
     </message>
     <message>
@@ -3188,7 +3192,7 @@
         <translation>größter Winkel zwischen tätiger Nadel und Ultraschallebene</translation>
     </message>
     <message>
-        <source>angle between needle and the way to the target in the ultrasound picture</source>
+        <source>angle between needle and the line to the target in the ultrasound picture</source>
         <translation>Winkel zwischen Nadel und Weg zum Ziel im Ultraschallbild</translation>
     </message>
     <message>
@@ -4320,11 +4324,11 @@
         <translation>es gibt keinen Treiber „%1“</translation>
     </message>
     <message>
-        <source>--attempt is no JSON that says how to perform: %1</source>
+        <source>--attempt is not valid JSON that describes an attempt: %1</source>
         <translation>--attempt ist kein JSON, das sagt, wie geübt werden soll: %1</translation>
     </message>
     <message>
-        <source>no body is called "mannequin", which the patient is laid into; name one so in the bodies</source>
+        <source>no body is called "mannequin", in which the patient is placed; name one so in the bodies</source>
         <translation>kein Körper heißt „mannequin“, in den der Patient gelegt wird; nennen Sie einen der Körper so</translation>
     </message>
     <message>
@@ -4340,7 +4344,7 @@
         <translation>es gibt keinen Treiber „%1“; wählen Sie auf der Seite Geräte ein anderes Gerät</translation>
     </message>
     <message>
-        <source>there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is set; set one</source>
+        <source>there is no folder for calibrations, because neither XDG_CONFIG_HOME nor HOME is set; set one</source>
         <translation>es gibt keinen Platz für Kalibrierungen, denn weder XDG_CONFIG_HOME noch HOME ist gesetzt; setzen Sie eines davon</translation>
     </message>
     <message>
@@ -4412,11 +4416,11 @@
         <translation>Zeigen Sie auf die Stelle der Haut, an der Sie einstechen möchten, und klicken Sie.</translation>
     </message>
     <message>
-        <source>Point at the skin where you want to go in first.</source>
+        <source>First point at the skin where you want to go in.</source>
         <translation>Zeigen Sie zuerst auf die Stelle der Haut, an der Sie einstechen möchten.</translation>
     </message>
     <message>
-        <source>%1 waits: the last session was not started: %2</source>
+        <source>%1 waits, because the last session could not be started: %2</source>
         <translation>%1 wartet: die letzte Sitzung wurde nicht begonnen: %2</translation>
     </message>
     <message>
@@ -4564,7 +4568,7 @@
         <translation>%1 beträgt %2 N/mm, aber das Gerät (%3) stellt auf seiner schwächsten Achse höchstens %4 N/mm stabil dar; senken Sie den Wert, oder geben Sie dem Gerät sein wahres %5</translation>
     </message>
     <message>
-        <source>damping is %1 N s/mm, but beside a spring of %2 N/mm the device (%3) renders at most %4 N s/mm stably; lower damping or stiffness, or give the device its true stiffness_N_per_mm</source>
+        <source>damping is %1 N s/mm, but together with a spring of %2 N/mm the device (%3) renders at most %4 N s/mm stably; lower damping or stiffness, or give the device its true stiffness_N_per_mm</source>
         <translation>die Dämpfung beträgt %1 N s/mm, aber neben einer Feder von %2 N/mm stellt das Gerät (%3) höchstens %4 N s/mm stabil dar; senken Sie Dämpfung oder Steifigkeit, oder geben Sie dem Gerät sein wahres stiffness_N_per_mm</translation>
     </message>
     <message>
@@ -4740,7 +4744,7 @@
         <translation>der Griff scheint %1 N zu wiegen, erwartet: 0 bis 5 N; lassen Sie ihn beim Wiegen los, und sehen Sie nach, ob der Gewichtsausgleich seiner Steuerung so steht, wie Sie ihn benutzen</translation>
     </message>
     <message>
-        <source>lifted and lowered, the handle differs by %1 N; leave it alone while it is weighed</source>
+        <source>between lifting and lowering, the handle's weight differs by %1 N; leave it alone while it is weighed</source>
         <translation>gehoben und gesenkt unterscheidet sich der Griff um %1 N; lassen Sie ihn beim Wiegen los</translation>
     </message>
     <message>
@@ -4756,7 +4760,7 @@
         <translation>%1; erlauben Sie es mit der Zeile „%2“ in /etc/security/limits.d/bodkin.conf, nehmen Sie sich in die Gruppe realtime auf und melden Sie sich neu an</translation>
     </message>
     <message>
-        <source>the vendor's software has not come back from %1 for %2 s: unplug the device, plug it in and start Bodkin again</source>
+        <source>the vendor's software has not returned from %1 for %2 s: unplug the device, plug it in and start Bodkin again</source>
         <translation>die Software des Herstellers ist seit %2 s nicht zurückgekommen von: %1. Ziehen Sie das Gerät ab, stecken Sie es ein und starten Sie Bodkin neu</translation>
     </message>
     <message>
@@ -5116,7 +5120,7 @@
         <translation>der Zeitgeber von OpenHaptics startet nicht (%1): prüfen Sie, ob Touch_Diagnostic des Herstellers läuft</translation>
     </message>
     <message>
-        <source>a simulated hand, for whoever has no device</source>
+        <source>a simulated hand, for use without a device</source>
         <translation>eine simulierte Hand, für alle ohne Gerät</translation>
     </message>
     <message>
@@ -5408,7 +5412,7 @@
         <translation>dieser Datei</translation>
     </message>
     <message>
-        <source>the imaging library gave up on this without a word (exit code %1); it is damaged</source>
+        <source>the imaging library ended on this without a message (exit code %1); it is damaged</source>
         <translation>die Bildbibliothek gab hierbei wortlos auf (Rückgabewert %1); die Datei ist beschädigt</translation>
     </message>
     <message>
@@ -5800,7 +5804,7 @@
         <translation>in diesem Netz sind keine Tetraeder</translation>
     </message>
     <message>
-        <source>%1 is no base64</source>
+        <source>%1 is not base64</source>
         <translation>%1 ist kein base64</translation>
     </message>
     <message>
@@ -5808,7 +5812,7 @@
         <translation>die Daten enden zu früh</translation>
     </message>
     <message>
-        <source>a packed block says that it holds %1 bytes, which cannot be</source>
+        <source>a packed block says that it holds %1 bytes, which is impossible</source>
         <translation>ein gepackter Block nennt %1 Byte, was nicht sein kann</translation>
     </message>
     <message>
@@ -5820,7 +5824,7 @@
         <translation>die Daten nennen %1 Byte, erwartet: höchstens %2</translation>
     </message>
     <message>
-        <source>the data has %1 bytes, which is no whole number of %2</source>
+        <source>the data has %1 bytes, which is not a whole number of %2</source>
         <translation>die Daten haben %1 Byte, was keine ganze Zahl von %2 ist</translation>
     </message>
     <message>
@@ -5932,11 +5936,11 @@
         <translation>„%1“ ist %2, erwartet: eine Zahl von %3 bis %4</translation>
     </message>
     <message>
-        <source>this is no JSON object, expected a registration that 'bodkin register -o' wrote</source>
+        <source>this is not a JSON object, expected a registration that 'bodkin register -o' wrote</source>
         <translation>dies ist kein JSON-Objekt, erwartet: eine Registrierung, die „bodkin register -o“ geschrieben hat</translation>
     </message>
     <message>
-        <source>"fixed_from_moving" is no rigid placement, expected 16 numbers, a 4 x 4 matrix row by row in mm, as 'bodkin register -o' writes it</source>
+        <source>"fixed_from_moving" is not a rigid placement, expected 16 numbers, a 4 x 4 matrix row by row in mm, as 'bodkin register -o' writes it</source>
         <translation>„fixed_from_moving“ ist keine starre Lage, erwartet: 16 Zahlen, eine 4 x 4-Matrix Zeile für Zeile in mm, wie „bodkin register -o“ sie schreibt</translation>
     </message>
     <message>
@@ -5956,7 +5960,7 @@
         <translation>die Abbildung ist %1, erwartet: 16 Zahlen, Zeile für Zeile</translation>
     </message>
     <message>
-        <source>the transform %1 is no rotation and translation; expected one without scale, shear or mirror</source>
+        <source>the transform %1 is not a rotation and translation; expected one without scale, shear or mirror</source>
         <translation>die Abbildung %1 ist keine Drehung und Verschiebung; erwartet: eine ohne Maßstab, Scherung oder Spiegelung</translation>
     </message>
     <message>
@@ -6024,11 +6028,11 @@
         <translation>die Zeit ist %1, erwartet: eine Zahl von Sekunden</translation>
     </message>
     <message>
-        <source>this is no sequence of PLUS; expected .igs.mha, .igs.nrrd or a recorder log in XML</source>
+        <source>this is not a sequence of PLUS; expected .igs.mha, .igs.nrrd or a recorder log in XML</source>
         <translation>dies ist keine Sequenz von PLUS; erwartet: .igs.mha, .igs.nrrd oder ein Protokoll in XML</translation>
     </message>
     <message>
-        <source>there is no pose for a sequence, expected one at least</source>
+        <source>there is no pose for a sequence, expected at least one</source>
         <translation>es gibt keine Lage für eine Sequenz, erwartet: mindestens eine</translation>
     </message>
     <message>
@@ -6168,7 +6172,7 @@
         <translation>%1 %2 ist %3, was die Gewebesammlung nicht hat</translation>
     </message>
     <message>
-        <source>column %1: a quote (") stands where none may; put the whole field in quotes and double the quotes in it</source>
+        <source>column %1: a quote (") is not allowed here; put the whole field in quotes and double the quotes in it</source>
         <translation>Spalte %1: ein Anführungszeichen (") steht, wo keines stehen darf; setzen Sie das ganze Feld in Anführungszeichen und verdoppeln Sie die darin</translation>
     </message>
     <message>
@@ -6424,7 +6428,7 @@
         <translation>eine Abbildung enthält etwas, das keine endliche Zahl ist</translation>
     </message>
     <message>
-        <source>%1 numbers, a SENSOR holds %2</source>
+        <source>%1 numbers, but a SENSOR holds at most %2</source>
         <translation>%1 Zahlen, ein SENSOR enthält %2</translation>
     </message>
     <message>
@@ -6452,7 +6456,7 @@
         <translation>eine Oberfläche hat einen Punkt, der keine endliche Zahl ist</translation>
     </message>
     <message>
-        <source>%1 pixels are no picture of %2 x %3</source>
+        <source>%1 pixels do not make an image of %2 x %3</source>
         <translation>%1 Bildpunkte sind kein Bild von %2 x %3</translation>
     </message>
     <message>
@@ -6460,15 +6464,15 @@
         <translation>ein Bild hat %1 Voxel entlang einer Achse, erwartet: 1 bis 65535</translation>
     </message>
     <message>
-        <source>a picture comes in parts, expected a whole one</source>
+        <source>an image comes in parts, expected a whole one</source>
         <translation>ein Bild kommt in Teilen, erwartet: ein ganzes</translation>
     </message>
     <message>
-        <source>a picture of %1 x %2 x %3 has %4 numbers of type %5 a pixel, expected a slice with one byte each</source>
+        <source>an image of %1 x %2 x %3 pixels has %4 values of type %5 per pixel, expected a slice with one byte per pixel</source>
         <translation>ein Bild von %1 x %2 x %3 hat %4 Zahlen vom Typ %5 je Bildpunkt, erwartet: eine Schicht mit je einem Byte</translation>
     </message>
     <message>
-        <source>a picture's pixels have no size, or its place is no finite number</source>
+        <source>the pixels of an image have no size, or its position is not finite</source>
         <translation>die Bildpunkte eines Bildes haben keine Größe, oder sein Ort ist keine endliche Zahl</translation>
     </message>
     <message>
@@ -6480,7 +6484,7 @@
         <translation>eine Nachricht hat keinen Typ, erwartet: einer wie TRANSFORM</translation>
     </message>
     <message>
-        <source>this is no header of OpenIGTLink; the other side speaks another protocol</source>
+        <source>this is not a header of OpenIGTLink; the other side speaks another protocol</source>
         <translation>dies ist kein Kopf von OpenIGTLink; die Gegenseite spricht ein anderes Protokoll</translation>
     </message>
     <message>
@@ -6512,7 +6516,7 @@
         <translation>der Befehl %1 braucht %2="..."</translation>
     </message>
     <message>
-        <source>NeedleState is no row of at least %1 numbers; the server is another Bodkin</source>
+        <source>NeedleState is not a row of at least %1 numbers; the server runs another version of Bodkin</source>
         <translation>NeedleState ist keine Zeile von mindestens %1 Zahlen; der Server ist ein anderes Bodkin</translation>
     </message>
     <message>
@@ -6520,7 +6524,7 @@
         <translation>NeedleState enthält etwas, das keine endliche Zahl ist</translation>
     </message>
     <message>
-        <source>'%1' is no address, expected one of this machine such as 127.0.0.1</source>
+        <source>'%1' is not an address, expected one of this machine such as 127.0.0.1</source>
         <translation>„%1“ ist keine Adresse, erwartet: eine dieses Rechners wie 127.0.0.1</translation>
     </message>
     <message>
@@ -6528,7 +6532,7 @@
         <translation>Port %1 von %2 ist belegt; beenden Sie das Programm, das ihn hat, oder nennen Sie einen anderen --port</translation>
     </message>
     <message>
-        <source>nobody can be let in at %1, port %2: %3</source>
+        <source>no client can connect at %1, port %2: %3</source>
         <translation>bei %1, Port %2, kann niemand eingelassen werden: %3</translation>
     </message>
     <message>
@@ -6548,11 +6552,11 @@
         <translation>diese Sitzung hat keinen Ultraschall; starten Sie bodkin serve mit --ultrasound SCHALLKOPF</translation>
     </message>
     <message>
-        <source>%1 is no setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or FocusMm</source>
+        <source>%1 is not a setting of the ultrasound; expected DepthMm, GainDb, GainPercent, FrequencyMhz or FocusMm</source>
         <translation>%1 ist keine Einstellung des Ultraschalls; erwartet: DepthMm, GainDb, GainPercent, FrequencyMhz oder FocusMm</translation>
     </message>
     <message>
-        <source>the matrix of %1 is no rotation; expected one without scale, shear or mirror</source>
+        <source>the matrix of %1 is not a rotation; expected one without scale, shear or mirror</source>
         <translation>die Matrix von %1 ist keine Drehung; erwartet: eine ohne Maßstab, Scherung oder Spiegelung</translation>
     </message>
     <message>
@@ -6560,11 +6564,11 @@
         <translation>%1 hat die Verbindung beendet</translation>
     </message>
     <message>
-        <source>%1 has said nothing for %2 s</source>
+        <source>%1 has sent nothing for %2 s</source>
         <translation>%1 hat %2 s lang nichts gesagt</translation>
     </message>
     <message>
-        <source>%1 sent a message of %2 bytes, at most %3 are taken</source>
+        <source>%1 sent a message of %2 bytes, at most %3 are accepted</source>
         <translation>%1 sandte eine Nachricht von %2 Byte, angenommen werden höchstens %3</translation>
     </message>
     <message>
@@ -6576,11 +6580,11 @@
         <translation>die Verbindung wird beendet: %1</translation>
     </message>
     <message>
-        <source>the rest of a message did not come</source>
+        <source>the rest of a message did not arrive</source>
         <translation>der Rest einer Nachricht kam nicht</translation>
     </message>
     <message>
-        <source>a message of %1 bytes, at most %2 are taken</source>
+        <source>a message of %1 bytes, at most %2 are accepted</source>
         <translation>eine Nachricht von %1 Byte, angenommen werden höchstens %2</translation>
     </message>
     <message>
@@ -6588,11 +6592,11 @@
         <translation>mehr als #1 Nachrichten in einer Sekunde</translation>
     </message>
     <message>
-        <source>it does not take what it asked for</source>
+        <source>it does not read what it asked for</source>
         <translation>der Client nimmt nicht ab, was er verlangt hat</translation>
     </message>
     <message>
-        <source>it sends more than is taken</source>
+        <source>it sends more than is accepted</source>
         <translation>der Client sendet mehr, als abgenommen wird</translation>
     </message>
     <message>
@@ -6600,7 +6604,7 @@
         <translation>alle %1 Plätze dieses Servers sind vergeben; beenden Sie einen anderen Client, oder starten Sie den Server mit mehr --clients</translation>
     </message>
     <message>
-        <source>no server has it</source>
+        <source>no server listens there</source>
         <translation>kein Server hat ihn</translation>
     </message>
     <message>
@@ -6848,7 +6852,7 @@
         <translation>im Gewebevolumen ist nur Luft</translation>
     </message>
     <message>
-        <source>%1 is the id of no tissue of the case; say with --regions what the regions are made of</source>
+        <source>%1 is not the id of a tissue of the case; say with --regions what the regions are made of</source>
         <translation>%1 ist die Nummer keines Gewebes des Falls; sagen Sie mit --regions, woraus die Regionen bestehen</translation>
     </message>
     <message>
@@ -6876,7 +6880,7 @@
         <translation>das Vernetzen dauerte mehr als zehn Minuten und wurde abgebrochen; verlangen Sie weniger Knoten</translation>
     </message>
     <message>
-        <source>bodkin-mesher ended without a word; ask for fewer nodes</source>
+        <source>bodkin-mesher ended without a message; ask for fewer nodes</source>
         <translation>bodkin-mesher endete wortlos; verlangen Sie weniger Knoten</translation>
     </message>
     <message>
@@ -7012,7 +7016,7 @@
         <translation>Kontrastmittel tief im Körper, abseits vom Skelett und gleichmäßig in HU (Stücke: %1, insgesamt %2 mL), wurde als Gefäß genommen, nicht als Knochen.</translation>
     </message>
     <message>
-        <source>The names %1 of the labels tell no tissue, so HU decides there; a --scheme can say what they are.</source>
+        <source>The names %1 of the labels name no known tissue, so HU decides there; a --scheme can say what they are.</source>
         <translation>Die Namen %1 der Strukturen sagen kein Gewebe, dort entscheiden die HU; ein --scheme kann sagen, was sie sind.</translation>
     </message>
     <message>
@@ -7160,7 +7164,7 @@
         <translation>er kommt dem zu nahe, was er meiden muss (am nächsten: %1)</translation>
     </message>
     <message>
-        <source>The mesh of this case was of the tissues before and is left out; 'bodkin case mesh' makes one.</source>
+        <source>The mesh of this case was made from the previous tissues and is left out; 'bodkin case mesh' makes a new one.</source>
         <translation>Das Netz dieses Falls war aus den Geweben davor und wird weggelassen; „bodkin case mesh“ macht eines.</translation>
     </message>
     <message>
@@ -7308,7 +7312,7 @@
         <translation>Volumen: abgebrochen</translation>
     </message>
     <message>
-        <source>surfaces: a triangle has a corner that is no point</source>
+        <source>surfaces: a triangle has a corner that is not a point</source>
         <translation>Oberflächen: ein Dreieck hat eine Ecke, die kein Punkt ist</translation>
     </message>
     <message>
@@ -7320,7 +7324,7 @@
         <translation>camera: up muss eine Richtung quer zur Blickrichtung von eye nach focus sein</translation>
     </message>
     <message>
-        <source>part %1 stands twice in one look; leave one of them out</source>
+        <source>part %1 appears twice in one look; leave one of them out</source>
         <translation>der Teil %1 steht zweimal in einem look; lassen Sie einen weg</translation>
     </message>
     <message>
@@ -7352,7 +7356,7 @@
         <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s nahm ihre Nadel einen anderen Korridor von Netzknoten, den ältere Versionen von Bodkin vorbereiteten; „bodkin report“ und „bodkin export“ zeigen, was gespürt wurde</translation>
     </message>
     <message>
-        <source>the session cannot be recomputed: at %1 s its needle met a body that moved by itself (--body moving), of which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt</source>
+        <source>the session cannot be recomputed: at %1 s its needle met a moving body (--body moving), of which not every step was kept; 'bodkin report' and 'bodkin export' show what was felt</source>
         <translation>die Sitzung kann nicht nachgerechnet werden: bei %1 s traf ihre Nadel einen Körper, der sich von selbst bewegte (--body moving) und von dem nicht jeder Schritt behalten ist; „bodkin report“ und „bodkin export“ zeigen, was gespürt wurde</translation>
     </message>
     <message>
@@ -7368,11 +7372,11 @@
         <translation>moving_body der Sitzung ist „%1“, erwartet wird JSON mit width_mm, thickness_mm, radius_mm, reach_mm und step_s; zeichnen Sie sie neu auf</translation>
     </message>
     <message>
-        <source>the session's needle met a body that moved by itself, but there is no deformable body here; replay it with its own case</source>
+        <source>the session's needle met a moving body, but there is no deformable body here; replay it with its own case</source>
         <translation>die Nadel der Sitzung traf einen Körper, der sich von selbst bewegte, aber hier ist kein verformbarer Körper; rechnen Sie sie mit ihrem eigenen Fall nach</translation>
     </message>
     <message>
-        <source>the session's needle met a body that moved by itself, which its resistance does not feel here; record it again</source>
+        <source>the session's needle met a moving body, which its resistance does not feel here; record it again</source>
         <translation>die Nadel der Sitzung traf einen Körper, der sich von selbst bewegte, was ihr Widerstand hier nicht spürt; zeichnen Sie sie neu auf</translation>
     </message>
     <message>
@@ -7408,7 +7412,7 @@
         <translation>der verformbare Körper desselben Falls hat eine andere Nachgiebigkeit als in der Sitzung (Prüfsumme %1, aufgezeichnet %2): er wurde von einer anderen Version von Bodkin oder METIS vorbereitet</translation>
     </message>
     <message>
-        <source>cannot write the session %1: %2; what was recorded until then is safe, free space on its disk before you go on</source>
+        <source>cannot write the session %1: %2; what was recorded until then is safe, free space on its disk before you continue</source>
         <translation>die Sitzung %1 kann nicht geschrieben werden: %2; was bis dahin aufgezeichnet wurde, ist sicher, schaffen Sie Platz auf ihrem Datenträger, bevor Sie weitermachen</translation>
     </message>
     <message>
@@ -7572,11 +7576,11 @@
         <translation>der Block bei Takt %1 ist beschädigt, seine Prüfsumme passt nicht</translation>
     </message>
     <message>
-        <source>tick %1 holds a value that no tick has</source>
+        <source>tick %1 holds an invalid value</source>
         <translation>Takt %1 enthält einen Wert, den kein Takt hat</translation>
     </message>
     <message>
-        <source>an event of the chunk at tick %1 is not one</source>
+        <source>an event of the chunk at tick %1 is invalid</source>
         <translation>ein Ereignis des Blocks bei Takt %1 ist keines</translation>
     </message>
     <message>
@@ -7640,7 +7644,7 @@
         <translation>nehmen Sie es mit spring_damper_wall, oder mit tracking_wall ohne leash</translation>
     </message>
     <message>
-        <source>that model has a friction of the shaft of its own; leave the part out</source>
+        <source>that model has its own friction of the shaft; leave the part out</source>
         <translation>dieses Modell hat eine eigene Reibung am Schaft; lassen Sie den Teil weg</translation>
     </message>
     <message>
@@ -7660,7 +7664,7 @@
         <translation>es gibt schon ein Kraftmodell „%1“; melden Sie es unter anderem Namen an</translation>
     </message>
     <message>
-        <source>--steps: '%1' is no step, expected %2</source>
+        <source>--steps: '%1' is not a step, expected %2</source>
         <translation>--steps: „%1“ ist kein Schritt, erwartet: %2</translation>
     </message>
     <message>
@@ -7668,7 +7672,7 @@
         <translation>die Kraft wurde weggenommen: %1; versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>the force did not come, for the handle was not at rest; hold it still at the beginning</source>
+        <source>no force was rendered, because the handle was not at rest; hold it still at the beginning</source>
         <translation>die Kraft kam nicht, denn der Griff war nicht in Ruhe; halten Sie ihn zu Beginn still</translation>
     </message>
     <message>
@@ -7716,7 +7720,7 @@
         <translation>--body ist „moving“, worauf ein Schallkopf drückt, aber kein zweites Gerät hält einen; fügen Sie --second GERÄT --second-as probe hinzu</translation>
     </message>
     <message>
-        <source>--body is 'moving', which only the resistance embedded_needle feels, and this one is %1; add --resistance embedded_needle</source>
+        <source>--body is 'moving', which only the resistance embedded_needle feels, but the resistance is %1; add --resistance embedded_needle</source>
         <translation>--body ist „moving“, was nur das Kraftmodell embedded_needle spürt, und dieses ist %1; fügen Sie --resistance embedded_needle hinzu</translation>
     </message>
     <message>
@@ -7724,7 +7728,7 @@
         <translation>--ultrasound: %1</translation>
     </message>
     <message>
-        <source>--at is '%1', which is no landmark or structure of the case; expected one of them ('bodkin case show' names them) or x,y,z in LPS mm</source>
+        <source>--at is '%1', which is not a landmark or structure of the case; expected one of them ('bodkin case show' names them) or x,y,z in LPS mm</source>
         <translation>--at ist „%1“, keine Landmarke oder Struktur des Falls; erwartet: eine davon („bodkin case show“ nennt sie) oder x,y,z in LPS mm</translation>
     </message>
     <message>
@@ -7732,19 +7736,19 @@
         <translation>der Fall hat keinen geplanten Weg für --needle; machen Sie einen mit --entry und --target</translation>
     </message>
     <message>
-        <source>%1 is no rigid placement, expected a rotation without scaling or mirroring, with the place in mm in the fourth column</source>
+        <source>%1 is not a rigid placement, expected a rotation without scaling or mirroring, with the place in mm in the fourth column</source>
         <translation>%1 ist keine starre Lage, erwartet: eine Drehung ohne Maßstab oder Spiegelung, mit dem Ort in mm in der vierten Spalte</translation>
     </message>
     <message>
-        <source>the mesh has %1 nodes, of which a step of the moving body takes about %2 ms, and 60 steps a second leave %3 ms: it will move in slow motion; a mesh of %4 nodes keeps up</source>
+        <source>with %1 nodes in the mesh a step of the moving body takes about %2 ms, but 60 steps a second allow only %3 ms: it will move in slow motion; a mesh of %4 nodes keeps up</source>
         <translation>das Netz hat %1 Knoten, für die ein Schritt des bewegten Körpers etwa %2 ms braucht; 60 Schritte je Sekunde lassen %3 ms: er wird sich in Zeitlupe bewegen; ein Netz von %4 Knoten hält Schritt</translation>
     </message>
     <message>
-        <source>tissue %1 has fibres, which a body that moves by itself does not know; leave the fibres out of its entry in tissues.xml, or let the body lie still (without --body moving)</source>
+        <source>tissue %1 has fibres, which a moving body does not support; leave the fibres out of its entry in tissues.xml, or let the body lie still (without --body moving)</source>
         <translation>Gewebe %1 hat Fasern, die ein Körper, der sich von selbst bewegt, nicht kennt; die Fasern aus seinem Eintrag in tissues.xml weglassen oder den Körper ruhen lassen (ohne --body moving)</translation>
     </message>
     <message>
-        <source>the probe presses the patient layer by layer: tissue %1 has fibres, which a body that moves by itself does not know</source>
+        <source>the probe presses the patient layer by layer: tissue %1 has fibres, which a moving body does not support</source>
         <translation>der Schallkopf drückt den Patienten Schicht für Schicht: Gewebe %1 hat Fasern, die ein Körper, der sich von selbst bewegt, nicht kennt</translation>
     </message>
     <message>
@@ -7752,7 +7756,7 @@
         <translation>der bewegte Körper ist ausgefallen: der Schallkopf verliert seine Kraft, und die Nadel trifft von nun an den ruhenden Körper</translation>
     </message>
     <message>
-        <source>contact points of the needle's line could not be computed, so that it goes on in those that are there: %1</source>
+        <source>contact points of the needle's line could not be computed, so that it continues with those that are there: %1</source>
         <translation>Kontaktpunkte der Linie der Nadel konnten nicht berechnet werden, sodass sie in den vorhandenen weitergeht: %1</translation>
     </message>
     <message>
@@ -7764,7 +7768,7 @@
         <translation>der Speicher ist erschöpft; schließen Sie andere Programme, oder vernetzen Sie den Patienten gröber</translation>
     </message>
     <message>
-        <source>the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh is fine; give --body "moving thickness_mm=30", or make a finer mesh</source>
+        <source>the probe met no node of the mesh: it was not pressed in, or its face is smaller than the mesh's elements; give --body "moving thickness_mm=30", or make a finer mesh</source>
         <translation>der Schallkopf traf keinen Knoten des Netzes: er wurde nicht eingedrückt, oder seine Fläche ist kleiner, als das Netz fein ist; geben Sie --body "moving thickness_mm=30" an, oder machen Sie ein feineres Netz</translation>
     </message>
     <message>
@@ -7812,23 +7816,23 @@
         <translation>die Kalibrierung wurde abgebrochen</translation>
     </message>
     <message>
-        <source>the device did not let itself be stopped; switch it off and on again</source>
+        <source>the device could not be stopped; switch it off and on again</source>
         <translation>das Gerät ließ sich nicht anhalten; schalten Sie es aus und wieder ein</translation>
     </message>
     <message>
-        <source>the second device did not let itself be stopped; switch it off and on again</source>
+        <source>the second device could not be stopped; switch it off and on again</source>
         <translation>das zweite Gerät ließ sich nicht anhalten; schalten Sie es aus und wieder ein</translation>
     </message>
     <message>
-        <source>%1 rounds a second instead of %2; close other programs, or use a lower rate</source>
+        <source>%1 ticks a second instead of %2; close other programs, or use a lower rate</source>
         <translation>%1 Runden je Sekunde statt %2; schließen Sie andere Programme, oder nehmen Sie eine kleinere Rate</translation>
     </message>
     <message>
-        <source>%1 % of the rounds were late; close other programs, and permit real-time priority (docs/perform.md)</source>
+        <source>%1 % of the ticks were late; close other programs, and permit real-time priority (docs/perform.md)</source>
         <translation>%1 % der Runden waren zu spät; schließen Sie andere Programme, und erlauben Sie Echtzeit-Priorität (docs/perform.md)</translation>
     </message>
     <message>
-        <source>install its vendor's software anew, or remove it</source>
+        <source>reinstall its vendor's software, or remove it</source>
         <translation>installieren Sie die Software des Herstellers neu, oder entfernen Sie sie</translation>
     </message>
     <message>
@@ -7880,11 +7884,11 @@
         <translation>%1 Werte der zweiten Hand gingen verloren, weil die Platte zu langsam war</translation>
     </message>
     <message>
-        <source>the second hand takes no part: %1</source>
+        <source>the second hand is not used: %1</source>
         <translation>die zweite Hand nimmt nicht teil: %1</translation>
     </message>
     <message>
-        <source>marker %1 of body "%2" was seen beside another one in %3 pictures; %4 are needed, so turn it towards the camera more often</source>
+        <source>marker %1 of body "%2" was seen together with another one in %3 pictures; %4 are needed, so turn it towards the camera more often</source>
         <translation>Marke %1 des Körpers „%2“ wurde in %3 Bildern neben einer anderen gesehen; nötig sind %4, drehen Sie sie öfter zur Kamera</translation>
     </message>
     <message>
@@ -7896,11 +7900,11 @@
         <translation>%1 Bilder zeigen die Tafel in Ruhe; nötig sind mindestens %2, mit der Tafel an anderen Stellen und gekippt</translation>
     </message>
     <message>
-        <source>the board faces the camera in nearly all pictures, which leaves focal length and distance open; tilt it by 20 to 45 degrees in all directions</source>
+        <source>the board faces the camera in nearly all pictures, so focal length and distance are undetermined; tilt it by 20 to 45 degrees in all directions</source>
         <translation>die Tafel steht in fast allen Bildern gerade vor der Kamera, was Brennweite und Abstand offen lässt; kippen Sie sie um 20 bis 45 Grad in alle Richtungen</translation>
     </message>
     <message>
-        <source>the corners of the board fit no lens: %1 pixels are left, where 0.1 to 0.5 are usual; is the print flat, and the focus fixed?</source>
+        <source>the corners of the board fit no lens: the residual is %1 pixels, where 0.1 to 0.5 are usual; is the print flat, and the focus fixed?</source>
         <translation>die Ecken der Tafel passen zu keiner Linse: %1 Bildpunkte bleiben, üblich sind 0.1 bis 0.5; ist der Druck eben und der Fokus fest?</translation>
     </message>
     <message>
@@ -7944,7 +7948,7 @@
         <translation>seine Daten enden zu früh oder sind beschädigt</translation>
     </message>
     <message>
-        <source>not a sound JPEG picture: %1</source>
+        <source>not a valid JPEG picture: %1</source>
         <translation>kein brauchbares JPEG-Bild: %1</translation>
     </message>
     <message>
@@ -7980,7 +7984,7 @@
         <translation>ein anderes Programm benutzt diese Kamera; schließen Sie es</translation>
     </message>
     <message>
-        <source>you may not use this camera; join the group video with 'sudo adduser $USER video' and log in anew</source>
+        <source>you may not use this camera; join the group video with 'sudo adduser $USER video' and log in again</source>
         <translation>Sie dürfen diese Kamera nicht benutzen; treten Sie mit 'sudo adduser $USER video' der Gruppe video bei und melden Sie sich neu an</translation>
     </message>
     <message>
@@ -8028,7 +8032,7 @@
         <translation>%1 Bilder nacheinander waren beschädigt; versuchen Sie ein anderes Kabel oder einen anderen Anschluss</translation>
     </message>
     <message>
-        <source>no picture came for two seconds; is the cable sound?</source>
+        <source>no picture came for two seconds; is the cable intact?</source>
         <translation>zwei Sekunden lang kam kein Bild; ist das Kabel in Ordnung?</translation>
     </message>
     <message>
@@ -8076,7 +8080,7 @@
         <translation>%1 Lagen sind langsam genug und %2 zu schnell; nötig sind mindestens %3, drehen Sie den Körper langsamer und länger</translation>
     </message>
     <message>
-        <source>the body turned about one axis only, which leaves its tip open; tilt it in all directions</source>
+        <source>the body turned about one axis only, so its tip is undetermined; tilt it in all directions</source>
         <translation>der Körper drehte sich nur um eine Achse, was seine Spitze offen lässt; kippen Sie ihn in alle Richtungen</translation>
     </message>
     <message>
@@ -8096,11 +8100,11 @@
         <translation>Registrierung: %1 feste und %2 bewegte Punkte, die nach ihrer Reihenfolge gepaart werden; geben Sie beiden Namen, oder --match, um sie nach ihren Abständen zu paaren</translation>
     </message>
     <message>
-        <source>registration: the %1 points lie on a line, which leaves the rotation about it open; add a point off that line</source>
+        <source>registration: the %1 points lie on a line, so the rotation about it is undetermined; add a point off that line</source>
         <translation>Registrierung: die Punkte (%1) liegen auf einer Geraden, was die Drehung um sie offen lässt; fügen Sie einen Punkt abseits dieser Geraden hinzu</translation>
     </message>
     <message>
-        <source>registration: the points that lie alike in both sets are on a line, which leaves the rotation about it open; check that a point off that line is in both sets</source>
+        <source>registration: the points that match in both sets are on a line, so the rotation about it is undetermined; check that a point off that line is in both sets</source>
         <translation>Registrierung: die Punkte, die in beiden Mengen gleich liegen, sind auf einer Geraden, was die Drehung um sie offen lässt; prüfen Sie, ob ein Punkt abseits dieser Geraden in beiden Mengen ist</translation>
     </message>
     <message>
@@ -8116,7 +8120,7 @@
         <translation>„covariance“ ist nicht gültig, erwartet: 49 Zahlen, eine symmetrische 7 x 7-Matrix Zeile für Zeile, wie 'bodkin register -o' sie schreibt</translation>
     </message>
     <message>
-        <source>registration: no three points of one set lie as three of the other do; check that both show the same fiducials, in mm</source>
+        <source>registration: no three points of one set have the same distances as three of the other; check that both show the same fiducials, in mm</source>
         <translation>Registrierung: keine drei Punkte der einen Menge liegen wie drei der anderen; prüfen Sie, ob beide dieselben Marken zeigen, in mm</translation>
     </message>
     <message>
@@ -8128,7 +8132,7 @@
         <translation>Registrierung: %1 Punktpaare; nötig sind mindestens %2%3</translation>
     </message>
     <message>
-        <source>registration: the points lie on a line, which leaves the rotation about it open; add a point off that line</source>
+        <source>registration: the points lie on a line, so the rotation about it is undetermined; add a point off that line</source>
         <translation>Registrierung: die Punkte liegen auf einer Linie, was die Drehung darum offen lässt; fügen Sie einen Punkt daneben hinzu</translation>
     </message>
     <message>
@@ -8180,11 +8184,11 @@
         <translation>kein Bild dieses Videos lässt sich entschlüsseln</translation>
     </message>
     <message>
-        <source>no body fits the picture although all rest: the lens, its focus or the light changed since the camera was calibrated; calibrate it anew</source>
+        <source>no body fits the picture although all rest: the lens, its focus or the light changed since the camera was calibrated; calibrate it again</source>
         <translation>kein Körper passt zum Bild, obwohl alle ruhen: Linse, Fokus oder Licht haben sich seit der Kalibrierung der Kamera geändert; kalibrieren Sie sie neu</translation>
     </message>
     <message>
-        <source>a board of markers does not fit the picture although it rests: it is bent, or the lens or its focus changed since the camera was calibrated; press it flat, else calibrate the camera anew</source>
+        <source>a board of markers does not fit the picture although it rests: it is bent, or the lens or its focus changed since the camera was calibrated; press it flat, or else calibrate the camera again</source>
         <translation>eine Tafel mit Marken passt nicht zum Bild, obwohl sie ruht: Sie ist verbogen, oder Linse oder Fokus haben sich seit der Kalibrierung der Kamera geändert; drücken Sie sie flach, sonst kalibrieren Sie die Kamera neu</translation>
     </message>
     <message>
@@ -8244,7 +8248,7 @@
         <translation>der Eingriff %1 nennt das Gewebe „%2“, das weder der Patient der Sitzung noch Bodkin kennt; berichtigen Sie den Namen</translation>
     </message>
     <message>
-        <source>the case %1 is no folder with a case.xml; make one there with 'bodkin case synthesize', or name %2</source>
+        <source>the case %1 is not a folder with a case.xml; make one there with 'bodkin case synthesize', or name %2</source>
         <translation>der Fall %1 ist kein Ordner mit einer case.xml; machen Sie dort einen mit „bodkin case synthesize“, oder nennen Sie %2</translation>
     </message>
     <message>
@@ -8312,7 +8316,7 @@
         <translation>die Ablage %1 hat keinen Übenden %2; „bodkin results list“ nennt sie</translation>
     </message>
     <message>
-        <source>%1 is a database of something else than results; name another file with --store</source>
+        <source>%1 is a database, but not of results; name another file with --store</source>
         <translation>%1 ist eine Datenbank von etwas anderem als Ergebnissen; nennen Sie mit --store eine andere Datei</translation>
     </message>
     <message>
@@ -8324,7 +8328,7 @@
         <translation>die Ablage %1 ist nicht beschreibbar; nichts wurde geändert: schaffen Sie auf ihrer Platte Platz und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>the store %1 may only be read by you; change the rights of the file and of its folder</source>
+        <source>you may only read the store %1; change the rights of the file and of its folder</source>
         <translation>die Ablage %1 dürfen Sie nur lesen; ändern Sie die Rechte der Datei und ihres Ordners</translation>
     </message>
     <message>
@@ -8336,7 +8340,7 @@
         <translation>an diesem Arbeitsplatz wartet nichts auf die Ablage %1; „bodkin results list“ nennt die Ablagen, auf die etwas wartet</translation>
     </message>
     <message>
-        <source>%1 is no store of results; name another file with --store</source>
+        <source>%1 is not a store of results; name another file with --store</source>
         <translation>%1 ist keine Ablage von Ergebnissen; nennen Sie mit --store eine andere Datei</translation>
     </message>
     <message>
@@ -8348,7 +8352,7 @@
         <translation>%1 lässt sich nicht öffnen; ist es da, und dürfen Sie es lesen?</translation>
     </message>
     <message>
-        <source>the needle's path meets no part of the mesh; lead it through the meshed part of the patient, or mesh the patient anew about this path</source>
+        <source>the needle's path meets no part of the mesh; lead it through the meshed part of the patient, or mesh the patient again around this path</source>
         <translation>der Weg der Nadel trifft keinen Teil des Netzes; führen Sie ihn durch den vernetzten Teil des Patienten, oder vernetzen Sie den Patienten um diesen Weg neu</translation>
     </message>
     <message>
@@ -8364,7 +8368,7 @@
         <translation>der Weg, um den der verformbare Körper vorbereitet wird, endet, wo er beginnt; geben Sie ein anderes Ziel an</translation>
     </message>
     <message>
-        <source>no node of the mesh that can move lies within %1 mm of the path; mesh the patient anew about this path, or give a larger corridor_radius_mm</source>
+        <source>no node of the mesh that can move lies within %1 mm of the path; mesh the patient again around this path, or give a larger corridor_radius_mm</source>
         <translation>kein beweglicher Knoten des Netzes liegt innerhalb von %1 mm um den Weg; vernetzen Sie den Patienten um diesen Weg neu, oder geben Sie ein größeres corridor_radius_mm an</translation>
     </message>
     <message>
@@ -8826,7 +8830,7 @@
         <translation>Die Fläche des Schallkopfs ist im Körper; ziehen Sie ihn zur Haut zurück.</translation>
     </message>
     <message>
-        <source>The probe's pose is no rigid placement of finite numbers; check where it comes from.</source>
+        <source>The probe's pose is not a rigid placement of finite numbers; check where it comes from.</source>
         <translation>Die Lage des Schallkopfs besteht nicht aus endlichen Zahlen einer starren Bewegung; prüfen Sie, woher sie kommt.</translation>
     </message>
     <message>

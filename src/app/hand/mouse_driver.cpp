@@ -14,9 +14,9 @@ namespace {
 
 constexpr double device_rate = 1000.0;  // Hz
 constexpr double strongest = 15.0;      // N that this hand can feel
-constexpr double stiffest = 3.0;        // N/mm that it renders stably, being no motor
+constexpr double stiffest = 3.0;        // N/mm that it renders stably, having no motor
 
-// A driver's functions know nothing but their words, so the window and the device meet here.
+// A driver's functions receive only texts, so the window and the device exchange data here.
 struct Meeting {
   std::mutex lock;
   std::weak_ptr<MouseFeed> feed;
@@ -30,25 +30,25 @@ Meeting& meeting() {
 class MouseDevice : public haptics::OpenDevice {
  public:
   explicit MouseDevice(std::shared_ptr<MouseFeed> feed) : feed_(std::move(feed)), hand_(1.0 / device_rate) {
-    hand_.start(feed_->wishes.read());
+    hand_.start(feed_->goals.read());
   }
 
-  void start(bodkin_tick, void*) override { hand_.start(feed_->wishes.read()); }
+  void start(bodkin_tick, void*) override { hand_.start(feed_->goals.read()); }
   void stop() override {}
   std::string explain() override { return {}; }
 
   int exchange(const bodkin_command& command, bodkin_state& state) noexcept override {
     const haptics::WorkspaceSettings& space = feed_->workspace;
-    const HandWish& wish = feed_->wishes.read();
+    const HandGoal& goal = feed_->goals.read();
     const Vec3 force = space.rotation * Eigen::Map<const Vec3>(command.force);
-    const Pose& needle = hand_.step(wish, force);
+    const Pose& needle = hand_.step(goal, force);
     feed_->reports.write(hand_.report());
     const Mat3 to_operator = space.rotation.transpose();
     state = haptics::blank_state();
     Eigen::Map<Vec3>(state.position) = to_operator * (needle.translation() - space.centre);
     Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(state.rotation) = to_operator * needle.linear();
     Eigen::Map<Vec3>(state.velocity) = to_operator * hand_.velocity();
-    if (wish.ended) state.buttons = BODKIN_BUTTON_END;
+    if (goal.ended) state.buttons = BODKIN_BUTTON_END;
     return BODKIN_OK;
   }
 

@@ -10,20 +10,20 @@
 
 namespace bodkin::app {
 
-// Between the window and the loop of the device.
+// Data exchanged between the window and the loop of the device.
 struct MouseFeed {
   explicit MouseFeed(const haptics::WorkspaceSettings& lies) : workspace(lies) {}
 
-  haptics::WorkspaceSettings workspace;  // of the session: how the device's space lies in the patient
-  LatestValue<HandWish> wishes;          // the window's
-  LatestValue<HandReport> reports;       // the loop's
+  haptics::WorkspaceSettings workspace;  // of the session: placement of the device's workspace in the patient
+  LatestValue<HandGoal> goals;           // written by the window
+  LatestValue<HandReport> reports;       // written by the loop
 };
 
-// A device that is opened from now on follows this feed, for as long as the feed lives; there is one mouse.
+// Devices opened from now on follow this feed, for its lifetime; there is one mouse.
 void connect_mouse(const std::shared_ptr<MouseFeed>& feed);
 
 // The mouse of the window as a device: a MouseHand that feels the force of the session, so that on bone the needle
-// stays and the hand goes on.
+// stops while the hand moves on.
 const bodkin_driver& mouse_driver() noexcept;
 
 }  // namespace bodkin::app

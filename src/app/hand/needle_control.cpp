@@ -16,9 +16,9 @@ constexpr double straightest = 1.0 * degree;  // within which a tilt snaps to th
 
 void NeedleControl::begin(const std::optional<anatomy::NeedlePath>& plan, const SkinPoint& entry) {
   plan_ = plan;
-  wish_ = HandWish{};
-  wish_.at = entry.point;
-  wish_.axis = aimed_axis(entry, plan);
+  goal_ = HandGoal{};
+  goal_.at = entry.point;
+  goal_.axis = aimed_axis(entry, plan);
   hand_ = HandReport{};
   hand_.depth = -MouseHand::waiting;
   key_ = turn_key_ = 0;
@@ -26,40 +26,40 @@ void NeedleControl::begin(const std::optional<anatomy::NeedlePath>& plan, const 
 }
 
 void NeedleControl::aim(const SkinPoint& skin) {
-  if (wish_.is_down || held_) return;
-  wish_.at = skin.point;
-  wish_.axis = aimed_axis(skin, plan_);
+  if (goal_.is_down || held_) return;
+  goal_.at = skin.point;
+  goal_.axis = aimed_axis(skin, plan_);
 }
 
 void NeedleControl::put_down() {
-  if (wish_.is_down || held_) return;
-  wish_.is_down = true;
-  wish_.depth = touch_depth;
-  wish_.speed = usual_speed;
+  if (goal_.is_down || held_) return;
+  goal_.is_down = true;
+  goal_.depth = touch_depth;
+  goal_.speed = usual_speed;
 }
 
 void NeedleControl::move(double millimetres) {
   if (held_) return;
   if (withdrawing_) {  // any input stops it
     withdrawing_ = false;
-    wish_.depth = hand_.depth;
-    wish_.speed = usual_speed;
+    goal_.depth = hand_.depth;
+    goal_.speed = usual_speed;
   }
-  if (!wish_.is_down) {
+  if (!goal_.is_down) {
     if (millimetres > 0.0) put_down();
     return;
   }
-  wish_.depth = std::min(wish_.depth + millimetres, std::max(hand_.depth, 0.0) + lead);
+  goal_.depth = std::min(goal_.depth + millimetres, std::max(hand_.depth, 0.0) + lead);
 }
 
-// The hand means another place then, so that the needle stays (see MouseHand::brace).
+// The hand's intended position then changes so that the needle stays (see MouseHand::brace).
 void NeedleControl::brace(bool on) {
-  const bool is_braced = on && wish_.is_down && hand_.depth > 0.0;
-  if (is_braced == wish_.is_braced || held_) return;
-  wish_.is_braced = is_braced;
+  const bool is_braced = on && goal_.is_down && hand_.depth > 0.0;
+  if (is_braced == goal_.is_braced || held_) return;
+  goal_.is_braced = is_braced;
   const double ratio = is_braced ? MouseHand::stiffness / MouseHand::braced_stiffness
                                  : MouseHand::braced_stiffness / MouseHand::stiffness;
-  wish_.depth = std::min(hand_.depth + (wish_.depth - hand_.depth) * ratio, std::max(hand_.depth, 0.0) + lead);
+  goal_.depth = std::min(hand_.depth + (goal_.depth - hand_.depth) * ratio, std::max(hand_.depth, 0.0) + lead);
 }
 
 void NeedleControl::push(double notches, bool fine) {
@@ -77,47 +77,47 @@ void NeedleControl::hold_key(int direction, bool fine) {
 }
 
 bool NeedleControl::tilt(double right, double cranial) {
-  if (held_ || (wish_.is_down && std::max(hand_.depth, wish_.depth) > MouseHand::shallow)) return false;
-  // The tip's end of the needle goes with the drag: about the patient's vertical axes as the operator sees them.
+  if (held_ || (goal_.is_down && std::max(hand_.depth, goal_.depth) > MouseHand::shallow)) return false;
+  // The tip's end of the needle follows the drag: about the patient's vertical axes as seen by the operator.
   const Mat3 turn =
       (Eigen::AngleAxisd(right, Vec3::UnitZ()) * Eigen::AngleAxisd(cranial, Vec3::UnitX())).toRotationMatrix();
-  Vec3 axis = (turn * wish_.axis).normalized();
+  Vec3 axis = (turn * goal_.axis).normalized();
   if (plan_ && plan_->length() > 0.0) {
     const Vec3 planned = plan_->direction();
     if (axis.cross(planned).norm() < straightest && axis.dot(planned) > 0.0) axis = planned;
   }
-  wish_.axis = axis;
+  goal_.axis = axis;
   return true;
 }
 
 void NeedleControl::withdraw() {
-  if (held_ || !wish_.is_down) return;
+  if (held_ || !goal_.is_down) return;
   withdrawing_ = true;
-  wish_.is_braced = false;
-  wish_.depth = -lifted_height;
-  wish_.speed = withdrawing;
+  goal_.is_braced = false;
+  goal_.depth = -lifted_height;
+  goal_.speed = withdrawing;
 }
 
 void NeedleControl::hold(bool on) {
   if (on == held_) return;
   held_ = on;
   key_ = turn_key_ = 0;
-  // The hand stays where it is, not where it was on its way to.
-  if (on && wish_.is_down) wish_.depth = wish_.axis.dot(hand_.meant.translation() - wish_.at);
+  // The hand stays at its present position, not at its goal.
+  if (on && goal_.is_down) goal_.depth = goal_.axis.dot(hand_.meant.translation() - goal_.at);
 }
 
 void NeedleControl::update(double dt, const HandReport& hand) {
   hand_ = hand;
   if (key_ != 0) brace(fine_);
   if (key_ != 0 && !held_) move(key_ * dt * (fine_ ? fine_key_speed : key_speed));
-  if (!held_) wish_.turn += turn_key_ * dt * turn_speed;
-  if (!wish_.is_down) return;
-  // Drawn back out of the skin: the needle is free again.
-  if (wish_.depth <= out_of_skin && hand.depth <= out_of_skin) {
+  if (!held_) goal_.turn += turn_key_ * dt * turn_speed;
+  if (!goal_.is_down) return;
+  // Withdrawn from the skin: the needle is free again.
+  if (goal_.depth <= out_of_skin && hand.depth <= out_of_skin) {
     const bool has_left = !withdrawing_ || hand.depth <= -0.8 * lifted_height;
     if (has_left) {
-      wish_.is_down = false;
-      wish_.speed = usual_speed;
+      goal_.is_down = false;
+      goal_.speed = usual_speed;
       withdrawing_ = false;
     }
   }

@@ -4,7 +4,7 @@ namespace bodkin::app {
 
 Frame allowed_frame(const Frame& frame, const training::PlanAids& aids) {
   Frame allowed = frame;
-  // When the attempt is over, everybody may see where it should have gone.
+  // After the attempt the planned path may be shown.
   if (!aids.overlay && frame.state != State::ended) {
     allowed.plan.reset();
     allowed.plan_broken.clear();

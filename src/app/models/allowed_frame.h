@@ -8,9 +8,9 @@ namespace bodkin::app {
 
 using namespace views;
 
-// What the views may show of a frame in a stage of a training plan. Without the overlay there is no planned path and
-// no target; without the ladder the tip's tissue has no name and no colour of its own; without the needle it is not
-// drawn, and slices do not follow it. Spans stay those of `frame`.
+// The part of a frame that views may show in a stage of a training plan. Without the overlay there is no planned path
+// and no target; without the ladder the tip's tissue has no name and no colour; without the needle it is not drawn,
+// and slices do not follow it. Spans stay those of `frame`.
 Frame allowed_frame(const Frame& frame, const training::PlanAids& aids);
 
 }  // namespace bodkin::app

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double surface_spacing = 4.0;  // mm
 
-struct GivenUp : std::exception {};
+struct AtlasCancelled : std::exception {};
 
 }  // namespace
 
@@ -26,18 +26,18 @@ struct AtlasModel::Shared {
 
   Progress progress(std::stop_token stop, double from, double to) {
     return [this, stop = std::move(stop), from, to](std::string_view, double fraction) {
-      if (stop.stop_requested()) throw GivenUp();
+      if (stop.stop_requested()) throw AtlasCancelled();
       const std::lock_guard guard(lock);
       status.fraction = from + (to - from) * fraction;
     };
   }
-  // Runs work and keeps why it failed.
+  // Runs work and stores the reason of a failure.
   template <typename Work>
   void run(const Work& work) {
     std::string error;
     try {
       work();
-    } catch (const GivenUp&) {
+    } catch (const AtlasCancelled&) {
       return;
     } catch (const std::exception& caught) {
       error = caught.what();
@@ -81,7 +81,7 @@ void AtlasModel::prepare() {
       const patient::BodyBlock whole{.middle = {}, .width = 0.0, .spacing = surface_spacing};
       const anatomy::TissueVolume tissues =
           patient::body_volume(atlas->shape(), atlas->tissues(), whole, shared->progress(stop, 0.1, 0.4));
-      std::error_code ignored;  // a folder that cannot be made costs time alone
+      std::error_code ignored;  // a folder that cannot be created only costs time
       std::filesystem::create_directories(folder, ignored);
       auto surfaces = std::make_shared<const scene::PatientSurfaces>(
           scene::surfaces_of_case(tissues, folder, shared->progress(stop, 0.4, 1.0)));

@@ -11,10 +11,11 @@
 
 namespace bodkin::app {
 
-// The body with its points and surfaces, and cases made from it, prepared on a thread of its own. One thread calls.
+// The body with its points and surfaces, and cases generated from it, prepared on a separate thread. Called from one
+// thread.
 class AtlasModel {
  public:
-  // `folder`: where surfaces and cases are kept.
+  // `folder`: of surfaces and cases.
   explicit AtlasModel(std::filesystem::path folder);
   ~AtlasModel();
   AtlasModel(const AtlasModel&) = delete;
@@ -24,16 +25,16 @@ class AtlasModel {
     double fraction = 0.0;
     std::string error;  // one sentence; empty: none
     bool working = false;
-    std::filesystem::path made;  // the case that was made last
+    std::filesystem::path made;  // the last generated case
   };
   Status status() const;
-  // Null until they are there.
+  // Null until they are available.
   std::shared_ptr<const patient::Atlas> atlas() const;
   std::shared_ptr<const scene::PatientSurfaces> surfaces() const;
 
   // Prepares the atlas, once.
   void prepare();
-  // Makes a case of 160 mm about a point, or takes the one that is there; not while it works.
+  // Generates a case of 160 mm about a point, or uses an existing one; not while another request runs.
   void make_case(const std::string& code);
 
  private:
@@ -43,18 +44,18 @@ class AtlasModel {
   std::jthread thread_;
 };
 
-// The game: a point is named, the student shows it on the skin.
+// The quiz: a point is named, the student shows it on the skin.
 class PointQuiz {
  public:
   explicit PointQuiz(std::uint32_t seed) : random_(seed) {}
 
-  // Names the next point, another one than the last.
+  // Names the next point, different from the last.
   void ask(const patient::Atlas& atlas);
   // The same point again.
   void ask_again();
-  // Nothing is asked any more; the score stays.
+  // Ends the quiz; the score stays.
   void stop();
-  // Takes an answer; the true point is known from then on.
+  // Accepts an answer; the true point is shown from then on.
   void answer(const Vec3& place);
 
   bool asked() const { return point_ != nullptr && !answered_; }

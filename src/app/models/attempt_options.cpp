@@ -75,7 +75,7 @@ AttemptOptions read_attempt_options(const std::string& text) {
     options.resistance = json.value("resistance", options.resistance);
     options.constraint = json.value("constraint", options.constraint);
     options.parts = json.value("parts", options.parts);
-    // `bodkin perform` has refused words that are no value.
+    // `bodkin perform` has already refused invalid values.
     if (anatomy::Mechanics value{}; parse_value(json.value("mechanics", std::string()), value))
       options.mechanics = value;
     if (anatomy::ForceInOrgans value{}; parse_value(json.value("force_in_organs", std::string()), value))
@@ -115,7 +115,7 @@ AttemptOptions read_attempt_options(const std::string& text) {
     }
     return options;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("--attempt is no JSON that says how to perform: {}", error.what()));
+    throw InputError(fmt::format("--attempt is not valid JSON that describes an attempt: {}", error.what()));
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace bodkin::app {
 
-// What `bodkin perform` asks of an attempt in the window, instead of what the case and the window would do.
+// Options of `bodkin perform` for an attempt in the window, replacing those of the case and the window.
 struct AttemptOptions {
   station::DeviceChoice device;        // no driver: the mouse
   std::string resistance, constraint;  // "NAME SETTING=VALUE ..."; empty: the case's
@@ -19,7 +19,7 @@ struct AttemptOptions {
   std::optional<station::UltrasoundChoice> ultrasound;
   std::optional<station::SecondChoice> second;
   std::optional<fem::ProbeFace> moving_body;
-  std::vector<anatomy::NeedlePath> left_needles;  // in the body before, from entry to tip
+  std::vector<anatomy::NeedlePath> left_needles;  // left in the body earlier, from entry to tip
   std::optional<station::MannequinPlace> mannequin;
   double scale = 1.0, force_scale = 1.0;
   bool allow_late = false;
@@ -28,9 +28,9 @@ struct AttemptOptions {
   bool overwrite = false;
   double longest = 3600.0;  // s
 
-  // Everything but the ultrasound, which the window can switch off, and the output.
+  // All options except the ultrasound, which the window can switch off, and the output.
   void apply(station::StationOptions& station) const;
-  // Where attempt number `attempt` (from 0) is kept: the output, then NAME-2, NAME-3, ... that no file has yet.
+  // The file of attempt number `attempt` (from 0): the output, then NAME-2, NAME-3, ... skipping existing files.
   std::filesystem::path file_of(int attempt) const;
 };
 

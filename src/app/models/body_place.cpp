@@ -14,7 +14,7 @@ void BodyMover::begin(const BodyPlace& usual) {
   before_.clear();
 }
 
-void BodyMover::take() {
+void BodyMover::begin_step() {
   if (before_.empty() || !(before_.back() == now_)) before_.push_back(now_);
 }
 
@@ -27,7 +27,7 @@ bool BodyMover::undo() {
 }
 
 void BodyMover::reset() {
-  take();
+  begin_step();
   now_ = usual_;
 }
 

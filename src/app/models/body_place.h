@@ -7,28 +7,28 @@
 
 namespace bodkin::app {
 
-// How the body lies in the workspace of the device that holds the needle.
+// The placement of the body in the workspace of the needle's device.
 struct BodyPlace {
-  Vec3 middle = Vec3::Zero();        // LPS mm, what lies in the middle of the workspace
+  Vec3 middle = Vec3::Zero();        // LPS mm, point in the middle of the workspace
   Mat3 rotation = Mat3::Identity();  // operator's axes (right, away, up) to patient
 
   bool operator==(const BodyPlace&) const = default;
 };
 
-// Where a station puts the body for this path: prone, head away from the operator.
+// A station's default placement for this path: prone, head away from the operator.
 BodyPlace usual_place(const anatomy::NeedlePath& path);
 
-// The place of the body, with the steps that led to it.
+// The placement of the body, with its history.
 class BodyMover {
  public:
-  // Another patient or path: nothing was moved.
+  // For another patient or path: without history.
   void begin(const BodyPlace& usual);
-  // A hand takes the body: what follows is one step.
-  void take();
+  // Begins a step: the body is grabbed.
+  void begin_step();
   void place(const BodyPlace& place) { now_ = place; }
-  // One step back; false: there is none.
+  // Undoes a step; false: there is none.
   bool undo();
-  // As at the beginning, itself a step.
+  // Back to the initial placement, itself a step.
   void reset();
 
   const BodyPlace& now() const noexcept { return now_; }

@@ -46,52 +46,52 @@ class CameraWatch::Show {
     const auto found =
         std::find_if(bodies.begin(), bodies.end(), [](const auto& body) { return body.name == "mannequin"; });
     if (found == bodies.end())
-      throw InputError("no body is called \"mannequin\", which the patient is laid into; name one so in the bodies");
+      throw InputError("no body is called \"mannequin\", in which the patient is placed; name one so in the bodies");
     mannequin_ = static_cast<std::size_t>(found - bodies.begin());
   }
 
   void set_look(const tracking::AugmentedLook& look) { view_.set_look(look); }
-  void set_moved_tissue(std::shared_ptr<const imaging::MovedTissue> moved) { moved_ = std::move(moved); }
-  // A session can follow the tools of a passage through the pictures, until it ends.
+  void set_moved_tissue(std::shared_ptr<const imaging::TissueDisplacement> moved) { moved_ = std::move(moved); }
+  // A session can follow the tools during a pass through the images, until it ends.
   void begin(const std::string& source) {
     sightings_ = std::make_shared<tracking::ToolSightings>(tracker_.bodies(), place_, true);
     tracking::announce(source, sightings_);
   }
-  // What is to be known of all pictures of this passage.
+  // Remarks about all images of this pass.
   void note(const std::string& sentence) { sightings_->note(sentence); }
   void end(const std::string& why) {
     if (sightings_ != nullptr) sightings_->end(why);
     sightings_.reset();
   }
 
-  // Draws upon the picture, and says what was seen. `taken`: s of the system's clock, when it was.
-  void draw(tracking::SourcePicture& picture, double taken, CameraNews& news) {
+  // Draws on the image, and reports the detections. `taken`: s of the system's clock, its time.
+  void draw(tracking::SourcePicture& picture, double taken, CameraStatus& status) {
     const auto& poses = tracker_.track(picture.grey, picture.time);
     lens_.add(poses);
     markers_.add(tracker_, picture.grey);
-    news.note = markers_.warning();
-    if (news.note.empty()) news.note = lens_.warning();
-    sightings_->warn(news.note);
+    status.note = markers_.warning();
+    if (status.note.empty()) status.note = lens_.warning();
+    sightings_->warn(status.note);
     sightings_->publish(poses, taken, haptics::monotonic_seconds());
     const tracking::TrackedPose& mannequin = poses[mannequin_];
     std::vector<tracking::ShownBody> tools;
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const tracking::MarkerBody& body = tracker_.bodies()[i];
       const tracking::TrackedPose& pose = poses[i];
-      news.bodies.push_back({body.name, pose.status, std::sqrt(tracking::point_covariance(pose, body.tip).trace()),
-                             pose.residual, pose.edge_ratio, pose.markers});
+      status.bodies.push_back({body.name, pose.status, std::sqrt(tracking::point_covariance(pose, body.tip).trace()),
+                               pose.residual, pose.edge_ratio, pose.markers});
       if (i == mannequin_) continue;
       tools.push_back({&body, &pose});
       if (pose.status != TrackingStatus::ok || mannequin.status != TrackingStatus::ok) continue;
       const Pose tool = tracking::tool_in_patient(body, pose.camera_from_body, mannequin.camera_from_body, place_);
-      if (body.name == "needle") news.needle = tool;
-      if (body.name == "probe") news.probe = tool;
+      if (body.name == "needle") status.needle = tool;
+      if (body.name == "probe") status.probe = tool;
     }
     view_.draw(picture.colour, &mannequin, tools, moved_.get());
-    news.large_oval = view_.is_large();
+    status.large_oval = view_.is_large();
     if (view_.needle()) {
-      news.tip = view_.needle()->tissue;
-      news.tip_on_bone = view_.needle()->bone;
+      status.tip = view_.needle()->tissue;
+      status.tip_on_bone = view_.needle()->bone;
     }
   }
 
@@ -102,7 +102,7 @@ class CameraWatch::Show {
   tracking::LensWatch lens_;
   tracking::MarkerWatch markers_;
   std::shared_ptr<tracking::ToolSightings> sightings_;
-  std::shared_ptr<const imaging::MovedTissue> moved_;
+  std::shared_ptr<const imaging::TissueDisplacement> moved_;
   std::size_t mannequin_ = 0;
 };
 
@@ -114,7 +114,7 @@ CameraWatch::CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking
       registration_(registration),
       on_picture_(std::move(on_picture)),
       look_(look) {
-  news_.stage = "opening the camera";
+  status_.stage = "opening the camera";
   thread_ = std::jthread([this](const std::stop_token& stop) {
     std::string error;
     try {
@@ -123,8 +123,8 @@ CameraWatch::CameraWatch(std::shared_ptr<const OpenCase> patient, const tracking
       error = failure.what();
     }
     const std::lock_guard guard(lock_);
-    news_.error = error;
-    news_.stage.clear();
+    status_.error = error;
+    status_.stage.clear();
   });
 }
 
@@ -138,14 +138,14 @@ void CameraWatch::set_look(const tracking::AugmentedLook& look) {
   look_ = look;
 }
 
-void CameraWatch::set_moved_tissue(std::shared_ptr<const imaging::MovedTissue> moved) {
+void CameraWatch::set_moved_tissue(std::shared_ptr<const imaging::TissueDisplacement> moved) {
   const std::lock_guard guard(lock_);
   moved_ = std::move(moved);
 }
 
-CameraNews CameraWatch::news() const {
+CameraStatus CameraWatch::status() const {
   const std::lock_guard guard(lock_);
-  return news_;
+  return status_;
 }
 
 void CameraWatch::run(const std::stop_token& stop) {
@@ -176,13 +176,13 @@ bool CameraWatch::play(const std::stop_token& stop, Show* show) {
 }
 
 bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
-  // A camera can be held open once: what found its calibration has let it go.
+  // A camera can be open only once: the search for its calibration has closed it.
   const std::unique_ptr<tracking::PictureSource> source =
       show != nullptr ? tracking::open_footage_files(files_).source
                       : tracking::open_source(files_.source, {.rate = files_.rate, .locks = std::nullopt});
   const std::string known = tracking::sentence_of(source->notes());
   if (show != nullptr) show->note(known);
-  std::optional<Clock::time_point> last;  // when the picture before was due
+  std::optional<Clock::time_point> last;  // when the previous image was due
   double last_time = 0.0;
   std::deque<Clock::time_point> shown;
   while (!stop.stop_requested()) {
@@ -197,9 +197,9 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
     while (last && !stop.stop_requested() && since(*last) < wait) std::this_thread::sleep_for(short_nap);
     last = Clock::now();
     last_time = picture->time;
-    CameraNews news;
-    news.source_note = known;
-    news.arrived = *last - decoding;  // of a video or a folder: when it would have come from a camera
+    CameraStatus status;
+    status.source_note = known;
+    status.arrived = *last - decoding;  // of a video or a folder: when it would have come from a camera
     if (show != nullptr) {
       std::optional<tracking::AugmentedLook> look;
       {
@@ -209,20 +209,20 @@ bool CameraWatch::show_pictures(const std::stop_token& stop, Show* show) {
       }
       if (look) show->set_look(*look);
       const double now = haptics::monotonic_seconds();
-      show->draw(*picture, source->live() ? picture->time : now, news);
+      show->draw(*picture, source->live() ? picture->time : now, status);
     } else {
-      news.note =
+      status.note =
           "This camera is not calibrated: its picture is shown alone. Calibrate it with 'bodkin camera calibrate'.";
     }
     shown.push_back(Clock::now());
     while (shown.front() + std::chrono::seconds(1) < shown.back()) shown.pop_front();
-    news.time = picture->time;
-    news.rate = static_cast<double>(shown.size());
-    news.picture = std::make_shared<const imaging::ImageRgb>(std::move(picture->colour));
+    status.time = picture->time;
+    status.rate = static_cast<double>(shown.size());
+    status.picture = std::make_shared<const imaging::ImageRgb>(std::move(picture->colour));
     {
       const std::lock_guard guard(lock_);
-      news.number = news_.number + 1;
-      news_ = std::move(news);
+      status.number = status_.number + 1;
+      status_ = std::move(status);
     }
     if (on_picture_) on_picture_();
   }

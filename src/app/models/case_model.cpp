@@ -38,12 +38,12 @@ struct CaseModel::Job {
   mutable std::mutex lock;  // guards the three below
   Status status;
   std::shared_ptr<const OpenCase> opened;
-  std::atomic<bool> given_up{false};
+  std::atomic<bool> cancelled{false};
   Clock::time_point begin = Clock::now();
 
   Progress progress() {
     return [this](std::string_view stage, double fraction) {
-      if (given_up.load()) throw Cancelled();
+      if (cancelled.load()) throw Cancelled();
       const std::lock_guard guard(lock);
       status.stage = stage;
       status.fraction = fraction;
@@ -79,7 +79,7 @@ CaseModel::~CaseModel() {
 
 void CaseModel::cancel() {
   if (job_ == nullptr) return;
-  job_->given_up.store(true);
+  job_->cancelled.store(true);
   job_.reset();
 }
 

@@ -18,37 +18,37 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Opens patients on a thread of its own: a case folder, a CT that becomes a case first, or one of the patients that
-// come with Bodkin, which are made when they are wanted for the first time. One at a time; all calls from one thread.
+// Opens patients on a separate thread: a case folder, a CT that is converted to a case first, or one of the patients
+// supplied with Bodkin, which are generated at their first use. One at a time; all calls from one thread.
 class CaseModel {
  public:
   struct Status {
     bool is_busy = false;
-    std::string stage;               // what is being done
+    std::string stage;               // the current step
     double fraction = 0.0;           // of it, 0 to 1
     double seconds = 0.0;            // since it began
     std::string error;               // why the last one failed; empty: it did not
-    std::vector<std::string> notes;  // what was repaired or assumed
+    std::vector<std::string> notes;  // repairs and assumptions
   };
 
-  // `data`: where patients that are made here are kept.
+  // `data`: the folder of generated patients.
   explicit CaseModel(std::filesystem::path data);
-  // Waits for work that cannot be interrupted.
+  // Waits for a step that cannot be interrupted.
   ~CaseModel();
   CaseModel(const CaseModel&) = delete;
   CaseModel& operator=(const CaseModel&) = delete;
 
-  // The patient on whom a procedure that comes with Bodkin is practised; made when it is wanted for the first time.
+  // The practice patient of a procedure supplied with Bodkin; generated at its first use.
   void open_practice(const PracticePatient& patient);
-  // A folder with case.xml is opened; a DICOM folder or an image file becomes a case first.
+  // Opens a folder with case.xml; a DICOM folder or an image file is converted to a case first.
   void open(const std::filesystem::path& path);
   void cancel();
 
   Status status() const;
-  // The patient that was opened, once; null while there is none.
+  // The opened patient, once; null: none.
   std::shared_ptr<const OpenCase> take();
 
-  // Folders of cases that can be opened at once: those that were made here, newest first, without those of
+  // Folders of cases that can be opened immediately: those generated here, newest first, without those of
   // practice_patients().
   std::vector<std::filesystem::path> known() const;
   void open_built_in() { open_practice(built_in_patient()); }

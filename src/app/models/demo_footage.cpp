@@ -16,7 +16,7 @@ namespace {
 constexpr int demo_pictures = 90, demo_width = 960, demo_height = 540;
 
 // Thrown out of a Progress to end the work.
-struct RenderingGivenUp : std::exception {
+struct RenderingCancelled : std::exception {
   const char* what() const noexcept override { return "given up"; }
 };
 
@@ -45,7 +45,7 @@ DemoFootage::Status DemoFootage::status() const {
   return status_;
 }
 
-// Beside its place first, so that a folder of that name is always complete.
+// First under a temporary name, so that a folder of the final name is always complete.
 void DemoFootage::render(const std::stop_token& stop) {
   if (fs::exists(folder_ / "scene.json")) return;
   fs::path unfinished = folder_;
@@ -60,7 +60,7 @@ void DemoFootage::render(const std::stop_token& stop) {
   options.look.samples = 3;
   try {
     tracking::render_scene(unfinished, options, [&](std::string_view, double fraction) {
-      if (stop.stop_requested()) throw RenderingGivenUp();
+      if (stop.stop_requested()) throw RenderingCancelled();
       const std::lock_guard guard(lock_);
       status_.fraction = fraction;
     });

@@ -7,18 +7,18 @@
 
 namespace bodkin::app {
 
-// Rendered footage of a teaching station, for those who have no camera: made once, on a thread of its own.
+// Rendered footage of a teaching station, for users without a camera: rendered once, on a separate thread.
 class DemoFootage {
  public:
   struct Status {
     bool is_ready = false;
-    double fraction = 0.0;  // of the pictures
-    std::string error;      // why there is none, a sentence
+    double fraction = 0.0;  // of the images
+    std::string error;      // why there is no footage, a sentence
   };
 
-  // `folder`: of the pictures; what stands there from before is taken as it is.
+  // `folder`: of the images; existing footage in it is used unchanged.
   explicit DemoFootage(std::filesystem::path folder);
-  // Gives up what is not complete.
+  // Discards incomplete footage.
   ~DemoFootage();
   DemoFootage(const DemoFootage&) = delete;
   DemoFootage& operator=(const DemoFootage&) = delete;

@@ -46,7 +46,7 @@ void DeviceFinder::start() {
     rows_ = {{"", "", "Mouse of this window", "found", "", DeviceRow::Lamp::good}};
     ++version_;
   }
-  given_up_.store(false);
+  cancelled_.store(false);
   thread_ = std::jthread([this] {
     std::string trouble;
     try {
@@ -68,7 +68,7 @@ void DeviceFinder::work(const std::filesystem::path& program) {
   for (const bodkin_driver* driver : haptics::built_in_drivers()) drivers.emplace_back(driver->name);
   for (const std::string& file : haptics::driver_files()) drivers.push_back(file);
   for (const std::string& driver : drivers) {
-    if (given_up_.load()) return;
+    if (cancelled_.load()) return;
     {
       const std::lock_guard guard(lock_);
       asking_ = driver;

@@ -12,38 +12,38 @@
 
 namespace bodkin::app {
 
-// A row of the list of devices: the mouse, a device that was found, or a driver that found none.
+// A row of the list of devices: the mouse, a detected device, or a driver without a device.
 struct DeviceRow {
-  enum class Lamp { good, off, trouble };  // it is there; none is connected; something is missing
-  std::string driver;                      // as it is asked for, "force_dimension"; empty: the mouse of the window
+  enum class Lamp { good, off, trouble };  // available; not connected; something is missing
+  std::string driver;                      // name of the driver, "force_dimension"; empty: the mouse of the window
   std::string identity;                    // of the device, empty where there is none
   std::string title;                       // for people
   std::string state;                       // "found", "not connected", "library missing"
-  std::string sentence;                    // what is missing and what mends it; empty: nothing
+  std::string sentence;                    // what is missing and how to correct it; empty: nothing
   Lamp lamp = Lamp::off;
 
   bool is_mouse() const { return driver.empty(); }
   bool can_open() const { return lamp == Lamp::good; }
 };
 
-// The rows of what a driver answered.
+// The rows of a driver's answer.
 std::vector<DeviceRow> rows_of(const station::DriverAnswer& answer);
 
-// Asks every driver, one after the other, each in a process of its own (as `bodkin devices list` does), on a thread.
+// Asks all drivers one after the other, each in a separate process (as `bodkin devices list` does), on a thread.
 class DeviceFinder {
  public:
   DeviceFinder() = default;
-  // Waits for the driver that is being asked, 8 s at most.
+  // Waits for the driver in progress, 8 s at most.
   ~DeviceFinder();
   DeviceFinder(const DeviceFinder&) = delete;
   DeviceFinder& operator=(const DeviceFinder&) = delete;
 
-  // Forgets what was found, and asks again. Does nothing while it asks.
+  // Discards the results and asks again. No effect while it is asking.
   void start();
-  void cancel() { given_up_.store(true); }
+  void cancel() { cancelled_.store(true); }
   bool is_busy() const;
-  std::string asking() const;  // the driver that is being asked; empty: none
-  // The mouse, and what was found until now. `version` changes with every row.
+  std::string asking() const;  // the driver in progress; empty: none
+  // The mouse and the devices detected so far. `version` changes with every row.
   std::vector<DeviceRow> rows() const;
   std::size_t version() const;
 
@@ -55,7 +55,7 @@ class DeviceFinder {
   std::string asking_;
   std::size_t version_ = 0;
   bool busy_ = false;
-  std::atomic<bool> given_up_{false};
+  std::atomic<bool> cancelled_{false};
   std::jthread thread_;
 };
 

@@ -22,7 +22,7 @@ namespace {
 constexpr double slowest_rate = 200.0, fastest_rate = 4000.0;  // Hz
 
 // Thrown to end the work.
-struct LetGo : std::exception {
+struct DeviceWorkCancelled : std::exception {
   const char* what() const noexcept override { return "Cancelled."; }
 };
 
@@ -39,12 +39,12 @@ DeviceWork::~DeviceWork() {
 template <typename Change>
 void DeviceWork::change(Change&& how) {
   const std::lock_guard guard(lock_);
-  how(news_);
+  how(status_);
 }
 
-DeviceWork::News DeviceWork::news() const {
+DeviceWork::Status DeviceWork::status() const {
   const std::lock_guard guard(lock_);
-  return news_;
+  return status_;
 }
 
 void DeviceWork::check(const station::DeviceChoice& choice, double seconds) {
@@ -59,14 +59,14 @@ void DeviceWork::start(Task task, const station::DeviceChoice& choice, double se
                        const station::CalibrationSettings& settings) {
   {
     const std::lock_guard guard(lock_);
-    if (news_.is_busy) return;
-    news_ = News{};
-    news_.is_busy = true;
-    news_.task = task;
-    news_.stage = "opening the device";
+    if (status_.is_busy) return;
+    status_ = Status{};
+    status_.is_busy = true;
+    status_.task = task;
+    status_.stage = "opening the device";
   }
-  given_up_.store(false);
-  goes_on_.store(false);
+  cancelled_.store(false);
+  confirmed_.store(false);
   thread_ = std::jthread([this, task, choice, seconds, settings] {
     std::string trouble;
     try {
@@ -74,19 +74,19 @@ void DeviceWork::start(Task task, const station::DeviceChoice& choice, double se
     } catch (const std::exception& error) {
       trouble = error.what();
     }
-    change([&](News& news) {
-      news.trouble = trouble;
-      news.force = 0.0;
-      news.stage.clear();
-      news.is_busy = false;
+    change([&](Status& status) {
+      status.trouble = trouble;
+      status.force = 0.0;
+      status.stage.clear();
+      status.is_busy = false;
     });
   });
 }
 
 void DeviceWork::show(const haptics::DeviceAbilities& abilities) {
-  change([&](News& news) {
-    news.abilities = abilities;
-    news.is_open = true;
+  change([&](Status& status) {
+    status.abilities = abilities;
+    status.is_open = true;
   });
 }
 
@@ -101,44 +101,44 @@ void DeviceWork::do_check(const station::DeviceChoice& choice, double seconds) {
                              [](const haptics::ControlInput&) { return haptics::Control{}; });
   const auto watch = [&](double elapsed) {
     const haptics::ServoSnapshot now = servo.rounds() > 0 ? servo.tick().snapshot() : haptics::ServoSnapshot{};
-    change([&](News& news) {
-      news.hand = now.device.hand;
-      news.force = now.applied.force.norm();
-      news.buttons |= now.device.buttons;
-      news.stage = "checking: move the device to every corner, press its buttons";
-      news.fraction = elapsed / seconds;
+    change([&](Status& status) {
+      status.hand = now.device.hand;
+      status.force = now.applied.force.norm();
+      status.buttons |= now.device.buttons;
+      status.stage = "checking: move the device to every corner, press its buttons";
+      status.fraction = elapsed / seconds;
     });
-    return !given_up_.load();
+    return !cancelled_.load();
   };
   const station::DeviceObservation seen = station::observe_device(servo, seconds, watch);
-  if (given_up_.load()) throw LetGo();
+  if (cancelled_.load()) throw DeviceWorkCancelled();
   const std::string why_not = station::why_not_ready(seen, abilities);
-  change([&](News& news) {
-    news.went_well = why_not.empty();
-    news.verdict = why_not.empty()
-                       ? fmt::format("Ready: {:.0f} rounds a second, {} of {} too late, moved within {}.",
-                                     seen.rate(), seen.timings.overruns, seen.rounds,
-                                     seen.low.x() <= seen.high.x() ? box_of(seen.low, seen.high) : "no space at all")
-                       : fmt::format("Not ready: {}.", why_not);
+  change([&](Status& status) {
+    status.went_well = why_not.empty();
+    status.verdict =
+        why_not.empty() ? fmt::format("Ready: {:.0f} ticks a second, {} of {} too late, moved within {}.",
+                                      seen.rate(), seen.timings.overruns, seen.rounds,
+                                      seen.low.x() <= seen.high.x() ? box_of(seen.low, seen.high) : "no space at all")
+                        : fmt::format("Not ready: {}.", why_not);
   });
 }
 
 void DeviceWork::do_calibration(const station::DeviceChoice& choice, const station::CalibrationSettings& settings) {
   const auto file = io::calibrations_file();
   if (!file)
-    throw InputError("there is no place for calibrations, for neither XDG_CONFIG_HOME nor HOME is set; set one");
+    throw InputError("there is no folder for calibrations, because neither XDG_CONFIG_HOME nor HOME is set; set one");
   std::vector<haptics::DeviceCalibration> all = io::read_calibrations(*file);
   haptics::DevicePort port(*choice.driver, choice.identity, choice.settings);
   haptics::DeviceAbilities abilities = port.abilities();
   station::complete_from_table(abilities);
   show(abilities);
   const std::vector<station::CalibrationStep> steps = station::steps_for(abilities);
-  change([&](News& news) { news.steps = steps; });
+  change([&](Status& status) { status.steps = steps; });
   const auto controller = std::make_shared<haptics::CalibrationController>();
   haptics::ServoSettings servo_settings;
   servo_settings.rate = std::clamp(abilities.rate, slowest_rate, fastest_rate);
   const auto note = [this](const std::string& sentence) {
-    change([&](News& news) { news.said.push_back(sentence); });
+    change([&](Status& status) { status.messages.push_back(sentence); });
   };
   servo_settings.guard.user_force = station::measuring_force(choice, abilities, late_force_is_allowed(), note);
   servo_settings.guard.frozen_time = 0.0;  // a free handle can stand still under force
@@ -146,30 +146,32 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
                              [controller](const haptics::ControlInput& input) { return controller->step(input); });
   servo.start();
   station::CalibrationPerson person;
-  person.say = [this](const std::string& sentence) { change([&](News& news) { news.said.push_back(sentence); }); };
+  person.report = [this](const std::string& sentence) {
+    change([&](Status& status) { status.messages.push_back(sentence); });
+  };
   person.progress = [this](std::string_view stage, double fraction) {
-    change([&](News& news) {
-      news.stage = stage;
-      news.fraction = fraction;
+    change([&](Status& status) {
+      status.stage = stage;
+      status.fraction = fraction;
     });
   };
-  // Asked every 10 ms of every step: the place to look at the device, too.
-  person.goes_on = [this, &servo] {
-    if (given_up_.load()) throw LetGo();
+  // Called every 10 ms in every step: also used to check the device.
+  person.confirmed = [this, &servo] {
+    if (cancelled_.load()) throw DeviceWorkCancelled();
     const haptics::ServoSnapshot now = servo.rounds() > 0 ? servo.tick().snapshot() : haptics::ServoSnapshot{};
-    change([&](News& news) {
-      news.hand = now.device.hand;
-      news.force = now.applied.force.norm();
+    change([&](Status& status) {
+      status.hand = now.device.hand;
+      status.force = now.applied.force.norm();
     });
-    return goes_on_.exchange(false);
+    return confirmed_.exchange(false);
   };
   station::CalibrationSteps guide(servo, *controller, settings, person);
   haptics::DeviceCalibration measured;
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    change([&](News& news) {
-      news.step = i;
-      news.stage.clear();
-      news.fraction = 0.0;
+    change([&](Status& status) {
+      status.step = i;
+      status.stage.clear();
+      status.fraction = 0.0;
     });
     guide.perform(steps[i], measured);
   }
@@ -180,12 +182,11 @@ void DeviceWork::do_calibration(const station::DeviceChoice& choice, const stati
   measured.measured_at = utc_now();
   io::merge_calibration(all, measured);
   io::write_calibrations(all, *file);
-  change([&](News& news) {
-    news.step = steps.size();
-    news.went_well = stopped;
-    news.verdict =
-        fmt::format("Calibrated, and kept in {}.{}", file->string(),
-                    stopped ? "" : " The device did not let itself be stopped; switch it off and on again.");
+  change([&](Status& status) {
+    status.step = steps.size();
+    status.went_well = stopped;
+    status.verdict = fmt::format("Calibrated, and saved in {}.{}", file->string(),
+                                 stopped ? "" : " The device could not be stopped; switch it off and on again.");
   });
 }
 

@@ -10,7 +10,7 @@
 
 namespace bodkin::app {
 
-// Structures that were corrected and not saved, as they were when the window closed or another patient was opened.
+// Unsaved changes of structures, from when the window closed or another patient was opened.
 struct LabelDraft {
   anatomy::LabelVolume labels;
   std::vector<anatomy::Structure> table;
@@ -18,7 +18,7 @@ struct LabelDraft {
 
 // Two files in the patient's folder, `structures.draft.nrrd` and `.json`. Throws SystemError.
 void keep_label_draft(const views::OpenCase& patient, const LabelDraft& draft);
-// Nothing where none is kept, it cannot be read, or the patient has other structures than when it was made.
+// Empty if none is stored, if it cannot be read, or if the patient's structures have changed since then.
 std::optional<LabelDraft> kept_label_draft(const views::OpenCase& patient);
 void forget_label_draft(const views::OpenCase& patient) noexcept;
 

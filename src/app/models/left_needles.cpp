@@ -31,7 +31,7 @@ std::span<const views::LeftNeedle> LeftNeedles::now(std::span<const float> displ
   const std::vector<Pose>& poses = motion_.poses(of_needles, drawn_in);
   now_.clear();
   for (std::size_t i = 0; i < left_.size(); ++i) {
-    // One that was left a moment ago lies at rest until the next session begins.
+    // A needle left just now is at rest until the next session begins.
     const Pose pose = i < poses.size() ? poses[i] : needle_pose(left_[i].target, left_[i].direction());
     now_.push_back({pose, left_[i].length()});
   }

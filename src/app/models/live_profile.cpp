@@ -20,7 +20,7 @@ namespace {
 constexpr double curve_speed = 10.0;  // mm/s, of a hand that takes its time
 constexpr double about_path = 20.0;   // mm about the path that the insertion can touch
 
-// The patient about the planned path, without what a rigid model does not look at: small enough to be copied.
+// The patient around the planned path, without data unused by a rigid model: small enough to be copied.
 anatomy::Case around_path(const anatomy::Case& whole) {
   anatomy::Case part;
   part.description = whole.description;
@@ -31,7 +31,7 @@ anatomy::Case around_path(const anatomy::Case& whole) {
     part.tissues = whole.tissues;
     return part;
   }
-  // 10 mm before the skin it begins.
+  // It begins 10 mm before the skin.
   const Vec3 first = grid.to_index(Vec3(path->entry - 2.0 * about_path * path->direction()));
   const Vec3 last = grid.to_index(Vec3(path->target + about_path * path->direction()));
   std::array<int, 3> low{}, size{};
@@ -56,12 +56,12 @@ anatomy::Case around_path(const anatomy::Case& whole) {
   return part;
 }
 
-// Thrown out of a Progress to end a preparation whose body nobody waits for any more.
-struct OtherBodyWanted : std::exception {
+// Thrown from a Progress to cancel the preparation of a body that is no longer needed.
+struct PreparationObsolete : std::exception {
   const char* what() const noexcept override { return "another body is wanted"; }
 };
 
-// Everything that a prepared body is made of, to tell whether two are the same; empty: there is no body.
+// All inputs of a prepared body, to compare two bodies; empty: no body.
 std::string recipe_of_body(const ModelSettings& settings) {
   const anatomy::DeformableBodySettings* const body = anatomy::body_of(settings.haptics.resistance);
   if (body == nullptr) return {};
@@ -91,7 +91,7 @@ std::string recipe_of_body(const ModelSettings& settings) {
   return recipe;
 }
 
-// Looks at the CT as well.
+// Also reads the CT.
 bool needs_ct(const anatomy::HapticSettings& haptics) {
   return anatomy::name_of(haptics.resistance) == "volume_proxy";
 }
@@ -119,7 +119,7 @@ ForceCurve force_curve(anatomy::Case& patient, const ModelSettings& settings) {
       const bool gives = std::any_of(now.events.begin(), now.events.end(), [](const forces::Event& event) {
         return event.kind == forces::EventKind::puncture;
       });
-      if (gives && !curve.first_give) curve.first_give = curve.strongest;
+      if (gives && !curve.first_puncture_force) curve.first_puncture_force = curve.strongest;
       curve.strongest = std::max(curve.strongest, now.resistance);
       if (now.depth <= 0.0 || (now.depth - shown < coarse && !gives)) continue;
       shown = now.depth;
@@ -154,7 +154,7 @@ void LiveProfile::prepare(anatomy::Case& part, const ModelSettings& settings, co
                         [&](std::string_view /*stage*/, double fraction) {
                           const std::lock_guard guard(lock_);
                           if (stop.stop_requested() || (wanted_ && recipe_of_body(*wanted_) != recipe))
-                            throw OtherBodyWanted();
+                            throw PreparationObsolete();
                           preparation_ = fraction;
                         },
                         {});
@@ -183,7 +183,7 @@ void LiveProfile::run(const std::stop_token& stop, const std::shared_ptr<const O
         prepared = recipe;
       }
       made = std::make_shared<const ForceCurve>(force_curve(part, settings));
-    } catch (const OtherBodyWanted&) {
+    } catch (const PreparationObsolete&) {
     } catch (const std::exception& failure) {
       ForceCurve none;
       none.trouble = failure.what();

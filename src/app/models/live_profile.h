@@ -14,9 +14,9 @@
 
 namespace bodkin::app {
 
-// Computes the curve of the newest settings on a thread of its own, through the same tick that a hand feels. Settings
-// that came meanwhile replace those that wait. A deformable body is prepared first, and again only when a number has
-// changed that it is made of. All calls from one thread; none waits.
+// Computes the curve of the newest settings on a separate thread, with the same tick as a session. Newer settings
+// replace waiting ones. A deformable body is prepared first, and again only after a change of a number that it
+// depends on. All calls from one thread; none waits.
 class LiveProfile {
  public:
   explicit LiveProfile(std::shared_ptr<const OpenCase> patient);
@@ -27,9 +27,9 @@ class LiveProfile {
   void set(const ModelSettings& settings);
   // The newest curve; null before the first one.
   std::shared_ptr<const ForceCurve> curve() const;
-  // The curve of the newest settings is not there yet.
+  // The curve of the newest settings is not ready yet.
   bool is_busy() const;
-  // How far the body is, 0 to 1, whose curve is the next one; nothing: none is being prepared.
+  // Progress of the body's preparation for the next curve, 0 to 1; empty: none is in progress.
   std::optional<double> preparation() const;
 
  private:
@@ -37,7 +37,7 @@ class LiveProfile {
                const std::stop_token& stop);
   void run(const std::stop_token& stop, const std::shared_ptr<const OpenCase>& patient);
 
-  mutable std::mutex lock_;  // guards all below but the thread
+  mutable std::mutex lock_;  // guards all members below except the thread
   std::condition_variable_any changed_;
   std::optional<ModelSettings> wanted_;
   bool works_ = false;
@@ -46,7 +46,7 @@ class LiveProfile {
   std::jthread thread_;
 };
 
-// The same at once. A deformable body must be prepared (patient::prepare_body).
+// The same, synchronously. A deformable body must be prepared (patient::prepare_body).
 ForceCurve force_curve(anatomy::Case& patient, const ModelSettings& settings);
 
 }  // namespace bodkin::app

@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* draft_name = "models.draft.json";
 
-// Calls visit(step's index) for each number of the model: the eleven steps of the wizard have one that all the
-// numbers lack, the weight of the stylus.
+// Calls visit(step's index) for each number of the model: of the wizard's eleven steps one is not a model number, the
+// weight of the stylus.
 template <typename Visit>
 void for_each_number(ParameterModel& model, const Visit& visit) {
   const bool showed_all = model.shows_all();
@@ -45,7 +45,7 @@ void keep_model_draft(ParameterModel& model, const std::filesystem::path& folder
     std::filesystem::remove(folder / draft_name, ignored);
     return;
   }
-  // Of a model that the patient did not come with nothing is known from before.
+  // A model other than the patient's original one has no previous values.
   const bool is_own = model.model() == anatomy::name_of(model.reference().haptics.resistance);
   nlohmann::json numbers = nlohmann::json::array();
   for_each_number(model, [&](std::size_t step) {
@@ -55,7 +55,7 @@ void keep_model_draft(ParameterModel& model, const std::filesystem::path& folder
     if (std::find(numbers.begin(), numbers.end(), number) == numbers.end()) numbers.push_back(std::move(number));
   });
   nlohmann::json draft = {{"model", model.model()}, {"numbers", std::move(numbers)}};
-  // Those of a file that was loaded may lie off the planned path, where no step asks for their numbers.
+  // Tissues of a loaded file may lie off the planned path, where no step sets their numbers.
   if (const anatomy::TissueLibrary changed = model.changed_tissues(); !changed.tissues().empty())
     draft["tissues"] = io::tissue_library_xml(changed);
   write_file(folder / draft_name, draft.dump(1) + "\n");
@@ -68,7 +68,7 @@ bool take_model_draft(ParameterModel& model, const std::filesystem::path& folder
   try {
     const nlohmann::json draft = nlohmann::json::parse(stream);
     numbers = draft.at("numbers");
-    for (const nlohmann::json& number : numbers) {  // throws where one is not as it should be
+    for (const nlohmann::json& number : numbers) {  // throws if one is invalid
       number.at("of");
       number.at("value").get<double>();
     }
@@ -89,7 +89,7 @@ bool take_model_draft(ParameterModel& model, const std::filesystem::path& folder
       if (number["of"] == key) model.set(step, number["value"].get<double>(), true);
   };
   for_each_number(model, take);
-  for_each_number(model, take);  // what may be only when another number has its value
+  for_each_number(model, take);  // value permitted only with a certain value of another number
   return model.is_changed();
 }
 

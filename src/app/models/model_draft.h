@@ -6,14 +6,13 @@
 
 namespace bodkin::app {
 
-// What differs from the patient's own force model when the window closes or another patient is opened is kept in his
-// folder, as `models.draft.json`: the model's name, the tissues that differ, as a library, and each number that was
-// changed.
+// Differences from the patient's own force model are stored in the case folder as `models.draft.json` when the window
+// closes or another patient is opened: the model's name, the changed tissues as a library, and each changed number.
 
-// No file where nothing differs. Throws SystemError.
+// Writes no file without differences. Throws SystemError.
 void keep_model_draft(ParameterModel& model, const std::filesystem::path& folder);
-// Takes over what is kept, as one step that can be undone. False, and nothing changed, where there is none or it
-// cannot be read; a number that the model no longer has or allows is left out.
+// Restores the stored draft as one step that can be undone. False, without a change, if there is none or it cannot be
+// read; numbers that the model no longer has or allows are skipped.
 bool take_model_draft(ParameterModel& model, const std::filesystem::path& folder);
 
 }  // namespace bodkin::app

@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Path and time of the last change: what tells one image from another without reading it.
+// Path and time of the last change: identifies an image without reading it.
 nlohmann::json mark_of(const fs::path& image) {
   std::error_code ignored;
   const auto written = fs::last_write_time(image, ignored).time_since_epoch().count();
   return {{"image", io::path_text(fs::weakly_canonical(image, ignored))}, {"written", written}};
 }
 
-// By the name of the patient's folder. A file that is damaged or not there knows none, which costs a second import.
+// By the name of the patient's folder. A damaged or missing file has none, which costs a second import.
 nlohmann::json read(const fs::path& file) {
   std::ifstream stream(file);
   nlohmann::json known = nlohmann::json::parse(stream, nullptr, false);

@@ -6,17 +6,17 @@
 
 namespace bodkin::app {
 
-// Which patient was made from which image or DICOM folder, so that opening it again opens him at once, and another
-// image of the same name becomes a patient of its own. Kept beside the patients in `opened.json`.
+// Maps images and DICOM folders to their patients, so that opening one again opens the same patient immediately, and
+// another image of the same name becomes a separate patient. Stored beside the patients in `opened.json`.
 class OpenedImages {
  public:
-  // `patients`: the folder of all of them. `is_taken`: names that no patient made here may have.
+  // `patients`: the folder of all of them. `is_taken`: names that are not available for patients created here.
   OpenedImages(std::filesystem::path patients, std::function<bool(const std::string&)> is_taken);
 
-  // Where the patient of an image is, or will be made: named after it, with a number where another has that name. An
-  // image that was written since then is another one.
+  // The folder of an image's patient, existing or not: named after the image, with a number if the name is taken. A
+  // modified image counts as another one.
   std::filesystem::path folder_of(const std::filesystem::path& image) const;
-  // From now on `folder` is the patient of the image as it is. Throws SystemError.
+  // Records `folder` as the patient of the image in its present version. Throws SystemError.
   void keep(const std::filesystem::path& image, const std::filesystem::path& folder) const;
 
  private:

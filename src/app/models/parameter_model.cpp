@@ -20,8 +20,8 @@ namespace {
 
 using Place = forces::ModelPart;
 
-// Models that any patient can be tried with: those that need no deformable body. The needle does not get past the
-// surface of `surface_proxy`, and what a program registers has no settings of a known name.
+// Models applicable to any patient: those without a deformable body. The needle cannot pass the surface of
+// `surface_proxy`, and registered models have no settings of known names.
 std::vector<std::string_view> rigid_models() {
   std::vector<std::string_view> names;
   const auto add = [&names]<std::size_t... index>(std::index_sequence<index...>) {
@@ -40,11 +40,11 @@ std::vector<std::string_view> rigid_models() {
 struct UsualStep {
   Place place;
   anatomy::TissueId tissue;
-  std::string_view name;  // what the parameter's name begins with
+  std::string_view name;  // prefix of the parameter's name
   std::string_view question;
 };
 constexpr std::array usual_steps = {
-    UsualStep{Place::weight, 0, "weight_N", "How heavy is the stylus, of which the hand shall feel nothing?"},
+    UsualStep{Place::weight, 0, "weight_N", "How heavy is the stylus, whose weight the hand should not feel?"},
     UsualStep{Place::tissue, anatomy::tissue::skin, "stiffness", "How stiff is the skin before it gives way?"},
     UsualStep{Place::tissue, anatomy::tissue::skin, "break_force_N",
               "How hard must one push before the skin gives way?"},
@@ -59,36 +59,25 @@ constexpr std::array usual_steps = {
     UsualStep{Place::tissue, anatomy::tissue::cortical_bone, "contact_stiffness", "How hard is bone?"},
     UsualStep{Place::constraint, 0, "", "How firmly does the body hold the needle on its path?"}};
 
-// What people call a part that a case adds to its resistance.
+// The display names of the parts that a case adds to its resistance, in the order of forces::added_parts.
+constexpr auto part_titles = std::to_array<std::string_view>(
+    {"Relaxation", "Shaft friction", "Winding up", "Bevel", "Fluid", "Syringe", "Finger"});
+static_assert(part_titles.size() == forces::added_parts.size());
+
 std::string part_words(Place place, std::size_t index) {
-  switch (place) {
-    case Place::relaxation:
-      return fmt::format("Relaxation {}", index + 1);
-    case Place::shaft_friction:
-      return "Shaft friction";
-    case Place::needle_grasp:
-      return "Winding up";
-    case Place::bevel_tip:
-      return "Bevel";
-    case Place::csf_flow:
-      return "Fluid";
-    case Place::syringe:
-      return "Syringe";
-    case Place::fingertip:
-      return "Finger";
-    default:
-      return {};
-  }
+  const std::size_t part = static_cast<std::size_t>(place) - static_cast<std::size_t>(Place::relaxation);
+  return place == Place::relaxation ? fmt::format("{} {}", part_titles[part], index + 1)
+                                    : std::string(part_titles[part]);
 }
 
-// Those that belong to a model, and not to any that there may be.
+// Parameters of a specific model, not common to all.
 void give_own_parts(anatomy::ForceParts& to, const anatomy::ForceParts& from) {
   to.relaxation = from.relaxation;
   to.shaft_friction = from.shaft_friction;
   to.needle_grasp = from.needle_grasp;
 }
 
-// The number of a step, where it counts; null where there is none.
+// The number of a step, where it is used; null if there is none.
 template <typename Settings>
 auto* number_at(Settings& settings, const SettingStep& step) {
   using Number = std::conditional_t<std::is_const_v<Settings>, const double, double>;
@@ -111,8 +100,7 @@ std::string capitalised(std::string words) {
   return words;
 }
 
-// What flows is a thousand million times less viscous than the unit of stress and time has it: nobody reads nine
-// zeros.
+// Fluids are a thousand million times less viscous than the unit of stress and time: nobody reads nine zeros.
 void use_readable_unit(SettingStep& step) {
   if (step.unit != "MPa s") return;
   step.unit = "mPa s";
@@ -121,7 +109,7 @@ void use_readable_unit(SettingStep& step) {
   step.range.high /= step.size_of_unit;
 }
 
-// Where a slider begins and ends about a value: wide enough to feel a difference, within what is allowed.
+// Range of a slider around a value: wide enough to feel a difference, within the permitted limits.
 void span_slider(SettingStep& step, double value) {
   constexpr double wide = 3.0;
   const double size =
@@ -269,7 +257,7 @@ double ParameterModel::value(std::size_t step) const {
 
 double ParameterModel::before(std::size_t step) const {
   const double* const number = number_at(reference_, steps_.at(step));
-  // Of another model there was nothing before.
+  // A different model has no previous value.
   return number == nullptr ? value(step) : *number / steps_.at(step).size_of_unit;
 }
 
@@ -336,7 +324,7 @@ void ParameterModel::load(const std::filesystem::path& file) {
 }
 
 void ParameterModel::take(const anatomy::TissueLibrary& library, bool continues) {
-  // With a physical description as the needle feels it, as all numbers here.
+  // With a physical description, the value for the needle, as all numbers here.
   const std::vector<anatomy::TissueProperties> felt =
       forces::model_settings(patient_->patient.description, library).tissues;
   remember(continues);

@@ -49,9 +49,9 @@ void PlanModel::begin_work() {
   worked_target_ = points_.target;
   work_.reset();  // before the next one begins
   result_ = {};
-  report_.reset();  // it speaks of what was to be avoided before
+  report_.reset();  // it refers to the previous obstacles
   work_ = std::make_unique<PlanWork>(
-      PlanWork::Wish{patient_, rules_, *points_.target, points_.entry.value_or(*points_.target), skin_});
+      PlanWork::Request{patient_, rules_, *points_.target, points_.entry.value_or(*points_.target), skin_});
 }
 
 bool PlanModel::poll() {
@@ -60,7 +60,7 @@ bool PlanModel::poll() {
   return true;
 }
 
-// With obstacles of the target before, while a new one is being dragged: their margins are close enough for that.
+// With the previous target's obstacles while a new target is being dragged: their margins are close enough.
 void PlanModel::look_again() {
   report_.reset();
   trouble_.clear();

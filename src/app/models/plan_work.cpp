@@ -24,7 +24,7 @@ std::string written(std::string level) {
   return level;
 }
 
-// Where a needle comes from, in words: "from behind on the left".
+// The needle's direction in words: "from behind on the left".
 std::string way_of(const patient::PathReport& report, const std::string& level) {
   const Vec3 from = -report.path.direction();
   if (!level.empty()) {
@@ -52,48 +52,48 @@ ProposedPath proposed(patient::PathReport report, const patient::Obstacles& obst
 
 }  // namespace
 
-EntryRoom room_from(const patient::PatientView& patient, const patient::Obstacles& obstacles, const Vec3& skin,
-                    const Vec3& target, const patient::PathWishes& wishes) {
-  using Kind = EntryRoom::Kind;
+EntrySuitability entry_suitability(const patient::PatientView& patient, const patient::Obstacles& obstacles,
+                                   const Vec3& skin, const Vec3& target, const patient::PathCriteria& criteria) {
+  using Kind = EntrySuitability::Kind;
   const Vec3 way = skin - target;
   const double length = way.norm();
-  if (length < 1.0 || length > wishes.longest) return {Kind::out_of_reach, 0.0F};
+  if (length < 1.0 || length > criteria.longest) return {Kind::out_of_reach, 0.0F};
   const Vec3 outwards = way / length;
   const std::optional<Vec3> entry =
-      patient::way_out(patient.tissues, target, outwards, std::min(wishes.longest, length + other_skin));
+      patient::find_skin_exit(patient.tissues, target, outwards, std::min(criteria.longest, length + other_skin));
   if (!entry || (*entry - skin).norm() > other_skin) return {Kind::out_of_reach, 0.0F};
   const std::optional<Vec3> normal = patient::skin_normal(patient.tissues, *entry);
-  if (!normal || normal->dot(outwards) < std::cos(wishes.flattest * degree)) return {Kind::out_of_reach, 0.0F};
+  if (!normal || normal->dot(outwards) < std::cos(criteria.flattest * degree)) return {Kind::out_of_reach, 0.0F};
   const double most = map_top;
-  const patient::Room whole = patient::room_along(obstacles, {*entry, target}, most);
+  const patient::Room whole = patient::clearance_along(obstacles, {*entry, target}, most);
   if (whole.blocked || whole.spare < 0.0) return {Kind::blocked, 0.0F};
-  // All ways share their end: what lies near the target itself would hide the differences between entries.
+  // All paths share their end: structures near the target would hide the differences between entries.
   const Vec3 before_end = target + std::min(shared_end, 0.5 * length) * outwards;
-  return {Kind::open, static_cast<float>(patient::room_along(obstacles, {*entry, before_end}, most).clearance)};
+  return {Kind::open, static_cast<float>(patient::clearance_along(obstacles, {*entry, before_end}, most).clearance)};
 }
 
-std::uint32_t tint_of(const EntryRoom& room) {
+std::uint32_t tint_of(const EntrySuitability& room) {
   constexpr std::uint32_t strong = 0xD8000000U, faint = 0x90000000U, grey = 0x8A8F96U;
   switch (room.kind) {
-    case EntryRoom::Kind::unknown:
+    case EntrySuitability::Kind::unknown:
       return faint | grey;
-    case EntryRoom::Kind::out_of_reach:
+    case EntrySuitability::Kind::out_of_reach:
       return 0;
-    case EntryRoom::Kind::blocked:
+    case EntrySuitability::Kind::blocked:
       return strong | clearance_colour(0.0F);
-    case EntryRoom::Kind::open:
+    case EntrySuitability::Kind::open:
       return strong | clearance_colour(room.clearance);
   }
   return 0;
 }
 
-PlanWork::PlanWork(Wish wish)
-    : wish_(std::move(wish)),
-      wishes_(patient::wishes_for(wish_.patient->description().needle, wish_.rules)),
+PlanWork::PlanWork(Request request)
+    : request_(std::move(request)),
+      criteria_(patient::criteria_for(request_.patient->description().needle, request_.rules)),
       mapping_([this](const std::stop_token& stop) {
         try {
           const auto obstacles = std::make_shared<const patient::Obstacles>(
-              patient::find_obstacles(patient::view_of(wish_.patient->patient), wish_.rules, wish_.target));
+              patient::find_obstacles(patient::view_of(request_.patient->patient), request_.rules, request_.target));
           {
             const std::scoped_lock lock(mutex_);
             result_.obstacles = obstacles;
@@ -125,18 +125,18 @@ bool PlanWork::poll(int version, Result& result) const {
 
 void PlanWork::make_map(const std::stop_token& stop, const patient::Obstacles& obstacles) {
   using Clock = std::chrono::steady_clock;
-  const std::size_t count = wish_.skin ? wish_.skin->size() : 0;
-  const patient::PatientView view = patient::view_of(wish_.patient->patient);
+  const std::size_t count = request_.skin ? request_.skin->size() : 0;
+  const patient::PatientView view = patient::view_of(request_.patient->patient);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto point = [&](std::size_t i) { return Vec3((*wish_.skin)[i].cast<double>()); };
+  const auto point = [&](std::size_t i) { return Vec3((*request_.skin)[i].cast<double>()); };
   std::vector<double> away(count);
-  for (std::size_t i = 0; i < count; ++i) away[i] = (point(i) - wish_.around).squaredNorm();
+  for (std::size_t i = 0; i < count; ++i) away[i] = (point(i) - request_.around).squaredNorm();
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return away[a] < away[b]; });
-  // What the needle cannot reach costs nothing and is known at once.
-  std::vector<EntryRoom> map(count);
+  // Points that the needle cannot reach need no computation.
+  std::vector<EntrySuitability> map(count);
   for (std::size_t i = 0; i < count; ++i)
-    if ((point(i) - wish_.target).norm() > wishes_.longest) map[i].kind = EntryRoom::Kind::out_of_reach;
+    if ((point(i) - request_.target).norm() > criteria_.longest) map[i].kind = EntrySuitability::Kind::out_of_reach;
   const auto publish = [&](bool done) {
     const std::scoped_lock lock(mutex_);
     result_.map = map;
@@ -146,8 +146,8 @@ void PlanWork::make_map(const std::stop_token& stop, const patient::Obstacles& o
   auto published = Clock::now();
   for (const std::size_t i : order) {
     if (stop.stop_requested()) return;
-    if (map[i].kind != EntryRoom::Kind::unknown) continue;
-    map[i] = room_from(view, obstacles, point(i), wish_.target, wishes_);
+    if (map[i].kind != EntrySuitability::Kind::unknown) continue;
+    map[i] = entry_suitability(view, obstacles, point(i), request_.target, criteria_);
     if (std::chrono::duration<double>(Clock::now() - published).count() < publish_after) continue;
     publish(false);
     published = Clock::now();
@@ -168,12 +168,12 @@ void PlanWork::make_proposals(const std::stop_token& stop,
     ++result_.version;
   };
   try {
-    const patient::PatientView view = patient::view_of(wish_.patient->patient);
-    const std::string level = wish_.rules.levels.empty() ? "" : patient::level_at(view, wish_.target);
-    if (const auto problem = patient::level_problem(view, wish_.rules, wish_.target)) {
+    const patient::PatientView view = patient::view_of(request_.patient->patient);
+    const std::string level = request_.rules.levels.empty() ? "" : patient::level_at(view, request_.target);
+    if (const auto problem = patient::level_problem(view, request_.rules, request_.target)) {
       why_none = fmt::format("Nothing is proposed here: {}.", *problem);
     } else {
-      patient::PathSearch search = patient::search_paths(view, *obstacles, wish_.target, wishes_, stop);
+      patient::PathSearch search = patient::search_paths(view, *obstacles, request_.target, criteria_, stop);
       why_none = search.why_not;
       for (patient::PathReport& each : search.proposals)
         found.push_back(proposed(std::move(each), *obstacles, level));
@@ -181,11 +181,11 @@ void PlanWork::make_proposals(const std::stop_token& stop,
       if (!level.empty() && found.size() > at_this_level) found.resize(at_this_level);
     }
     publish(false);
-    // The best way in at each other level.
-    for (const anatomy::Landmark& other : patient::allowed_levels(view, wish_.rules)) {
+    // The best path at each other level.
+    for (const anatomy::Landmark& other : patient::allowed_levels(view, request_.rules)) {
       if (other.name == level || stop.stop_requested()) continue;
-      const patient::Obstacles there = patient::find_obstacles(view, wish_.rules, other.position);
-      patient::PathWishes one = wishes_;
+      const patient::Obstacles there = patient::find_obstacles(view, request_.rules, other.position);
+      patient::PathCriteria one = criteria_;
       one.count = 1;
       for (patient::PathReport& each : patient::search_paths(view, there, other.position, one, stop).proposals)
         found.push_back(proposed(std::move(each), there, other.name));

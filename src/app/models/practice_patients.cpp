@@ -24,7 +24,7 @@ constexpr double block_width = 160.0;                 // mm, about an acupunctur
 constexpr std::string_view practised_point = "ST36";  // on the leg, away from organs
 constexpr std::string_view practised_layers = "alamilla_2018_fig_9";
 
-// The needle comes with its stylet, and nobody waits for minutes until a column of fluid stands still.
+// With the stylet, and 20 times as fast, because a column of fluid takes minutes to come to rest.
 constexpr std::string_view fluid_of_practice =
     "csf_flow stylet=true manometer=false pressure_volume_index_mL=25 times_faster=20";
 
@@ -36,16 +36,17 @@ constexpr std::array<PracticePatient, 9> all_patients = {{
     {"epidural", "synthetic-epidural-fluid", "Lumbar torso. Stop behind the flavum, before the dura.", false},
     {"spinal_anaesthesia", "synthetic-spinal-anaesthesia", "Lumbar torso. A thin needle, 25G, into the fluid.",
      false},
-    {"ct_guided_biopsy", "synthetic-biopsy", "Lumbar torso. A lesion of 20 mm beside the psoas.", false},
+    {"ct_guided_biopsy", "synthetic-biopsy", "Lumbar torso. A lesion of 20 mm next to the psoas.", false},
     {"joint_injection", "synthetic-shoulder", "Shoulder. From behind, into the space of the joint.", false},
     {"ultrasound_guided_injection", "synthetic-shoulder-ultrasound", "Shoulder. The tip in the picture all the way.",
      true},
-    {"ultrasound_guided_nerve_block", "synthetic-shoulder-nerve", "Shoulder. Beside the nerve, never into it.", true},
+    {"ultrasound_guided_nerve_block", "synthetic-shoulder-nerve", "Shoulder. Next to the nerve, never into it.",
+     true},
     {"acupuncture", practised_point, "Leg. Needle ST36; lift, thrust and twirl.", false},
     {"needle_insertion", "synthetic-layers", "Nine layers of a half ball, no anatomy.", false},
 }};
 
-// The same torso for all procedures of the spine, as the worker wants it.
+// The same torso for all procedures of the spine, as worker input.
 std::vector<std::string> make_torso(const PracticePatient& patient, const fs::path& folder,
                                     const Progress& progress) {
   const std::string name(patient.procedure);

@@ -12,27 +12,27 @@
 
 namespace bodkin::app {
 
-// The synthetic patient on whom a procedure that comes with Bodkin is practised from the start page.
+// The synthetic patient of a procedure supplied with Bodkin, offered on the start page.
 struct PracticePatient {
   std::string_view procedure;  // as in share/bodkin/procedures
   std::string_view folder;     // below the folder of patients
-  const char* words;           // who it is and what is done, one short line; in the dictionary of the languages
-  bool with_ultrasound;        // the probe is there from the first attempt on
+  const char* words;           // patient and task in one short line; in the translations
+  bool with_ultrasound;        // with the probe from the first attempt on
 };
 
-// In the order in which they are offered; one for each procedure that comes with Bodkin.
+// In display order; one for each procedure supplied with Bodkin.
 std::span<const PracticePatient> practice_patients();
-// The lumbar torso of the first of them, which everything uses that wants just a patient.
+// The lumbar torso of the first entry, used wherever any patient is sufficient.
 const PracticePatient& built_in_patient();
-// Null where none has that name.
+// Null if none has that name.
 const PracticePatient* find_practice_patient(std::string_view procedure);
 
-// Makes the case in `folder`, as `bodkin case synthesize` would. Returns notes, one sentence each. Throws InputError,
-// SystemError, and what `progress` throws; the folder is whole or not there.
+// Creates the case in `folder`, as `bodkin case synthesize` does. Returns notes, one sentence each. Throws
+// InputError, SystemError, and the exceptions of `progress`; the folder is then absent, never incomplete.
 std::vector<std::string> make_practice_patient(const PracticePatient& patient, const std::filesystem::path& folder,
                                                const Progress& progress);
 
-// The block of a body about an acupuncture point, in the folder of patients; made where it is not there yet.
+// The block of a body around an acupuncture point, in the folder of patients; created if it does not exist.
 std::filesystem::path needle_point_case(const patient::Atlas& atlas, const std::string& code,
                                         const std::filesystem::path& patients, const Progress& progress);
 

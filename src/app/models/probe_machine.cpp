@@ -17,17 +17,17 @@ namespace {
 constexpr std::chrono::milliseconds settling{1500};  // of a body after the probe has moved
 constexpr std::chrono::milliseconds pace{25};        // between its pictures meanwhile
 
-bool same_wish(const ProbeMachine::Wish& a, const ProbeMachine::Wish& b) {
+bool same_request(const ProbeMachine::Request& a, const ProbeMachine::Request& b) {
   if (a.needle.has_value() != b.needle.has_value()) return false;
   if (a.needle && a.needle->pose.matrix() != b.needle->pose.matrix()) return false;
-  return a.order.probe.matrix() == b.order.probe.matrix() && a.order.settings == b.order.settings;
+  return a.setup.probe.matrix() == b.setup.probe.matrix() && a.setup.settings == b.setup.settings;
 }
 
 }  // namespace
 
 ProbeMachine::ProbeMachine(std::shared_ptr<const OpenCase> patient, const station::UltrasoundChoice& choice,
-                           Wish first, bool presses)
-    : wish_(std::move(first)),
+                           Request first, bool presses)
+    : request_(std::move(first)),
       thread_([this, patient = std::move(patient), choice, presses](const std::stop_token& stop) {
         try {
           run(stop, patient, choice, presses);
@@ -53,7 +53,7 @@ void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const 
                                });
   Clock::time_point last = Clock::now(), changed = last;
   for (std::uint64_t number = 1; !stop.stop_requested(); ++number) {
-    Wish wish;
+    Request request;
     {
       std::unique_lock guard(lock_);
       const bool settles = machine.deforms() && Clock::now() - changed < settling;
@@ -61,29 +61,29 @@ void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const 
       if (!settles && !changed_.wait(guard, stop, [this] { return is_new_; })) return;
       if (is_new_) changed = Clock::now();
       is_new_ = false;
-      wish = wish_;
+      request = request_;
     }
     const Clock::time_point now = Clock::now();
-    machine.advance(wish.order.probe, std::chrono::duration<double>(now - last).count());
+    machine.advance(request.setup.probe, std::chrono::duration<double>(now - last).count());
     last = now;
-    auto made = std::make_shared<station::LivePicture>();
+    auto made = std::make_shared<station::LiveImage>();
     try {
-      machine.set(wish.order.settings);
+      machine.set(request.setup.settings);
     } catch (const InputError& refused) {
       made->refused = true;
       const std::lock_guard guard(lock_);
       trouble_ = refused.what();
     }
     const Clock::time_point begin = Clock::now();
-    made->frame = machine.image(wish.order.probe, wish.needle);
+    made->frame = machine.image(request.setup.probe, request.needle);
     made->milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     made->number = number;
-    made->order = {wish.order.probe, machine.settings()};
+    made->setup = {request.setup.probe, machine.settings()};
     made->most = machine.most_moved();
     std::shared_ptr<const imaging::ImageRgb> ct;
-    if (presses) ct = std::make_shared<const imaging::ImageRgb>(machine.slice(wish.order.probe));
-    std::shared_ptr<const imaging::MovedTissue> moved = machine.moved_tissue();
-    if (wish.needle) made->needle = wish.needle->pose;
+    if (presses) ct = std::make_shared<const imaging::ImageRgb>(machine.slice(request.setup.probe));
+    std::shared_ptr<const imaging::TissueDisplacement> moved = machine.moved_tissue();
+    if (request.needle) made->needle = request.needle->pose;
     const std::lock_guard guard(lock_);
     picture_ = std::move(made);
     ct_ = std::move(ct);
@@ -91,15 +91,15 @@ void ProbeMachine::run(const std::stop_token& stop, const std::shared_ptr<const 
   }
 }
 
-void ProbeMachine::set(const Wish& wish) {
+void ProbeMachine::set(const Request& request) {
   const std::lock_guard guard(lock_);
-  if (same_wish(wish, wish_)) return;
-  wish_ = wish;
+  if (same_request(request, request_)) return;
+  request_ = request;
   is_new_ = true;
   changed_.notify_one();
 }
 
-std::shared_ptr<const station::LivePicture> ProbeMachine::picture() const {
+std::shared_ptr<const station::LiveImage> ProbeMachine::picture() const {
   const std::lock_guard guard(lock_);
   return picture_;
 }
@@ -109,7 +109,7 @@ std::shared_ptr<const imaging::ImageRgb> ProbeMachine::ct() const {
   return ct_;
 }
 
-std::shared_ptr<const imaging::MovedTissue> ProbeMachine::moved_tissue() const {
+std::shared_ptr<const imaging::TissueDisplacement> ProbeMachine::moved_tissue() const {
   const std::lock_guard guard(lock_);
   return moved_;
 }

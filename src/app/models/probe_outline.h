@@ -8,8 +8,8 @@
 
 namespace bodkin::app {
 
-// Where a probe is held and what it sees down to `depth` mm, as lines, LPS mm: first the border of its picture, then
-// its head, seen as a box of the width of its face. `pose`: probe to patient.
+// The position of a probe and its field of view down to `depth` mm, as lines, LPS mm: first the border of its image,
+// then its head as a box of the width of its face. `pose`: probe to patient.
 std::vector<scene::Trail> probe_outline(const anatomy::UltrasoundProbe& probe, double depth, const Pose& pose);
 
 }  // namespace bodkin::app

@@ -11,7 +11,7 @@ namespace bodkin::app {
 std::string procedure_title(const std::string& name) {
   try {
     return training::find_shipped_procedure(name).title;
-  } catch (const std::exception&) {  // not one of ours, or its file is missing: what is done with it says so
+  } catch (const std::exception&) {  // not one of ours, or its file is missing: its use reports it
   }
   std::string text = name;
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -4,8 +4,8 @@
 
 namespace bodkin::app {
 
-// What people call the procedure that a case names: the title in its file, "CT-guided biopsy" for "ct_guided_biopsy";
-// of one that does not come with Bodkin the name itself, without underscores.
+// The display name of a case's procedure: the title in its file, "CT-guided biopsy" for "ct_guided_biopsy"; for one
+// not supplied with Bodkin, its name without underscores.
 std::string procedure_title(const std::string& name);
 
 }  // namespace bodkin::app

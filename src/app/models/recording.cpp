@@ -21,7 +21,7 @@ namespace {
 
 constexpr double path_step = 0.25;  // mm between points of the way that is drawn
 
-// What a person wants to jump to; empty for what only the machine cares about.
+// The events to jump to; empty for technical ones.
 std::string words_of(const forces::Event& event, const std::string& tissue) {
   using forces::EventKind;
   switch (event.kind) {
@@ -79,8 +79,8 @@ Recording::Recording(std::filesystem::path file, session::Session session, std::
     samples_.push_back({time(i), inside ? now.depth : 0.0, now.requested.force.norm(), now.resistance, now.constraint,
                         inside ? now.tissue : anatomy::tissue::air});
   }
-  find_stays();
-  find_happenings();
+  find_tissue_intervals();
+  find_shown_events();
   judge(is_same);
 }
 
@@ -88,7 +88,7 @@ std::size_t Recording::index_at(double time) const {
   const auto later = [&](double wanted, const simulation::TickRecord& record) {
     return wanted < static_cast<double>(record.tick) * session_.header.dt;
   };
-  // Half a tick earlier or later is the same moment.
+  // Half a tick earlier or later counts as the same moment.
   const double wanted = time + 0.25 * session_.header.dt;
   const auto after = std::upper_bound(session_.ticks.begin(), session_.ticks.end(), wanted, later);
   return after == session_.ticks.begin() ? 0 : static_cast<std::size_t>(after - session_.ticks.begin()) - 1;
@@ -101,7 +101,7 @@ std::string Recording::tissue_title(anatomy::TissueId tissue) const {
   return fmt::format("tissue {}", tissue);
 }
 
-void Recording::find_stays() {
+void Recording::find_tissue_intervals() {
   first_contact_ = begin();
   bool touched = false;
   const std::optional<anatomy::Breathing> breathing =
@@ -113,16 +113,18 @@ void Recording::find_stays() {
     const anatomy::TissueId tissue = samples_[i].tissue;
     const bool inside = samples_[i].depth > 0.0;
     if (inside && !std::exchange(touched, true)) first_contact_ = time(i);
-    const bool goes_on = !stays_.empty() && stays_.back().tissue == tissue && stays_.back().last + 1 == i;
-    if (goes_on) {
-      stays_.back().last = i;
+    const bool continues = !tissue_intervals_.empty() && tissue_intervals_.back().tissue == tissue &&
+                           tissue_intervals_.back().last + 1 == i;
+    if (continues) {
+      tissue_intervals_.back().last = i;
     } else if (inside) {
-      stays_.push_back({i, i, tissue});
+      tissue_intervals_.push_back({i, i, tissue});
     }
     if (!inside) continue;
-    if (!goes_on) {
-      // Joined to the piece before, without a gap.
-      const bool joined = stays_.size() > 1 && stays_[stays_.size() - 2].last + 1 == i && !path_.empty();
+    if (!continues) {
+      // Joined to the previous piece without a gap.
+      const bool joined = tissue_intervals_.size() > 1 &&
+                          tissue_intervals_[tissue_intervals_.size() - 2].last + 1 == i && !path_.empty();
       PathPiece piece{tissue, {}};
       if (joined) piece.points.push_back(path_.back().points.back());
       piece.points.push_back(tip);
@@ -133,14 +135,14 @@ void Recording::find_stays() {
   }
 }
 
-void Recording::find_happenings() {
+void Recording::find_shown_events() {
   for (const session::SessionEvent& event : session_.events) {
     std::string words = words_of(event.event, tissue_title(event.event.tissue));
     if (words.empty()) continue;
     const double when = static_cast<double>(event.tick) * session_.header.dt;
     const bool bad =
         event.event.kind == forces::EventKind::bone_contact || event.event.kind == forces::EventKind::fault;
-    happenings_.push_back({index_at(when), when, event.event.depth, std::move(words), bad});
+    shown_events_.push_back({index_at(when), when, event.event.depth, std::move(words), bad});
   }
 }
 
@@ -177,14 +179,14 @@ std::vector<LeftNeedle> Recording::left_needles(std::size_t index) const {
 
 Frame Recording::frame(std::size_t index) const {
   const simulation::TickRecord& record = session_.ticks[index];
-  StationNews news;
+  StationUpdate news;
   news.time = time(index);
   news.needle.ticks = index + 1;
   news.needle.needle = record.input.needle;
   news.needle.output = record.output;
   if (!drawn_in_.empty()) news.needle.output.drawn_in = static_cast<double>(drawn_in_[index]);
   news.diagnostic_names = diagnostic_names_;
-  // What has given way until now, and whether the tip is on bone, follows from what happened before.
+  // Punctured tissues and bone contact so far follow from the previous events.
   for (const session::SessionEvent& event : session_.events) {
     if (event.tick > record.tick) break;
     news.events.push_back(event);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Thrown out of a Progress to end the work.
-struct ReadingGivenUp : std::exception {
+struct ReadingCancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
@@ -48,7 +48,7 @@ RecordingJob::~RecordingJob() {
 }
 
 void RecordingJob::cancel() {
-  given_up_.store(true);
+  cancelled_.store(true);
 }
 
 RecordingJob::Status RecordingJob::status() const {
@@ -63,7 +63,7 @@ std::shared_ptr<const Recording> RecordingJob::recording() const {
 
 void RecordingJob::work(const fs::path& file, const std::shared_ptr<const OpenCase>& at_hand) {
   const Progress progress = [this](std::string_view stage, double fraction) {
-    if (given_up_.load()) throw ReadingGivenUp();
+    if (cancelled_.load()) throw ReadingCancelled();
     const std::lock_guard guard(lock_);
     status_.stage = stage;
     status_.fraction = fraction;
@@ -85,12 +85,12 @@ void RecordingJob::work(const fs::path& file, const std::shared_ptr<const OpenCa
           session::is_digest_of_case(session.header.case_digest, patient->patient, whole_text(folder / "case.xml"),
                                      session::mesh_digest(folder, session.header.haptics.resistance));
       if (!is_same) {
-        note = fmt::format("The patient in {} has changed since this session: slices and 3-D show how it is now.",
+        note = fmt::format("The patient in {} has changed since this session: slices and 3-D show its present state.",
                            folder.string());
       }
     } catch (const InputError& missing) {
       patient.reset();
-      note = fmt::format("The patient of this session is not there, so its path is shown without anatomy ({}).",
+      note = fmt::format("The patient of this session is not available, so its path is shown without anatomy ({}).",
                          missing.what());
     }
     std::shared_ptr<ScanReplay> scan;

@@ -11,17 +11,17 @@
 
 namespace bodkin::app {
 
-// Reads a session, and the patient that it was recorded on, on a thread of its own.
+// Reads a session and its patient on a separate thread.
 class RecordingJob {
  public:
   struct Status {
     bool is_done = false;
     std::string stage;
     double fraction = 0.0;  // of the stage, 0 to 1
-    std::string error;      // why it came to nothing, one sentence; empty: it did not
+    std::string error;      // why it failed, one sentence; empty: it did not
   };
 
-  // `at_hand`: a patient who is open already, and is taken if he is the session's; may be null.
+  // `at_hand`: an already open patient, used if it is the session's; may be null.
   RecordingJob(std::filesystem::path file, std::shared_ptr<const OpenCase> at_hand);
   // Waits for the end of the present stage.
   ~RecordingJob();
@@ -30,7 +30,7 @@ class RecordingJob {
 
   void cancel();
   Status status() const;
-  // Null until it is done, and where there was an error.
+  // Null until it is done, and after an error.
   std::shared_ptr<const Recording> recording() const;
 
  private:
@@ -39,7 +39,7 @@ class RecordingJob {
   mutable std::mutex lock_;  // guards the two below
   Status status_;
   std::shared_ptr<const Recording> recording_;
-  std::atomic<bool> given_up_{false};
+  std::atomic<bool> cancelled_{false};
   std::jthread thread_;
 };
 

@@ -90,7 +90,7 @@ struct RemoteStation::Shared {
         client(server, {.message = [this](const link::Message& message) { take(message); },
                         .connected = [this](link::Client&) { begin(); }}) {}
 
-  // A connection has been made: nothing of an older one is current.
+  // A new connection: data of an older one are not current.
   void begin() {
     const std::lock_guard lock(mutex);
     fresh = {};
@@ -118,7 +118,7 @@ struct RemoteStation::Shared {
         take_text(message.device, link::read_string(message.content));
       }
     } catch (const std::exception&) {
-      return;  // what cannot be read tells nothing; the next message does
+      return;  // an unreadable message is ignored; the next one corrects it
     }
   }
 
@@ -152,7 +152,7 @@ struct RemoteStation::Shared {
   void take_forces(const link::NumberArray& rows) {
     if (rows.size.size() != 2 || rows.size[1] != force_columns) return;
     for (std::size_t at = 0; at + force_columns <= rows.values.size(); at += force_columns) {
-      if (samples.size() >= StationNews::most_samples) return;
+      if (samples.size() >= StationUpdate::most_samples) return;
       const double* const row = &rows.values[at];
       const auto tissue = row[5] >= 0.0 && row[5] <= 255.0 ? static_cast<anatomy::TissueId>(row[5]) : 0;
       samples.push_back({row[0], row[1], row[2], row[3], row[4], static_cast<anatomy::TissueId>(tissue)});
@@ -160,15 +160,15 @@ struct RemoteStation::Shared {
   }
 
   void take_picture(link::GreyImage image) {
-    auto picture = std::make_shared<station::LivePicture>();
+    auto picture = std::make_shared<station::LiveImage>();
     picture->number = ++pictures;
     picture->frame.width = image.width;
     picture->frame.height = image.height;
     picture->frame.pixel = image.pixel;
     picture->frame.pixels = std::move(image.pixels);
     picture->frame.contact = 1.0;
-    picture->order.probe = probe.value_or(image.pose);
-    picture->frame.corner = picture->order.probe.inverse() * image.pose.translation();
+    picture->setup.probe = probe.value_or(image.pose);
+    picture->frame.corner = picture->setup.probe.inverse() * image.pose.translation();
     picture->needle = fresh.needle.needle;
     fresh.ultrasound = std::move(picture);
   }
@@ -199,7 +199,7 @@ struct RemoteStation::Shared {
     if (waits && starts_left == 2) start();
   }
 
-  // First the station's own case, then the one of this name in its folder of cases.
+  // First the station's own case, then the case of this name in its folder of cases.
   void start() {
     const bool is_first = starts_left-- == 2;
     const Values no_name, by_name = {{"Case", patient->folder.filename().string()}};
@@ -248,16 +248,16 @@ struct RemoteStation::Shared {
     client.send({"STRING", number, link::time_now(), link::string_content(xml.finish())});
   }
 
-  std::mutex mutex;  // guards what stands between it and the client
+  std::mutex mutex;  // guards the state shared with the client
   std::shared_ptr<const OpenCase> patient;
-  int starts_left;            // ways to ask for a session that were not tried
+  int starts_left;            // ways of asking for a session not yet tried
   std::string here;           // fingerprint of the patient's tissues
   std::string wrong_patient;  // why they are not the station's
-  bool is_known = false;      // the station has told its patient, who is this one
+  bool is_known = false;      // the station has announced this patient
   bool waits = false;         // no session runs there
-  std::string trouble;        // why the last one that was asked for did not run there
+  std::string trouble;        // why the last requested session did not run there
   bool has_state = false, has_pose = false;
-  StationNews fresh;
+  StationUpdate fresh;
   std::vector<station::HandSample> samples;
   std::vector<session::SessionEvent> events;
   std::deque<std::string> names;  // of the diagnostics
@@ -305,11 +305,11 @@ void RemoteStation::command(station::StationCommand command) {
   }
 }
 
-void RemoteStation::set_scan_order(const station::ScanOrder& order) {
-  shared_->send("SetUsParameter", {{"DepthMm", fmt::format("{}", order.settings.depth)},
-                                   {"GainDb", fmt::format("{}", order.settings.gain)},
-                                   {"FrequencyMhz", fmt::format("{}", order.settings.frequency)},
-                                   {"FocusMm", fmt::format("{}", order.settings.focus)}});
+void RemoteStation::set_scan_setup(const station::ScanSetup& setup) {
+  shared_->send("SetUsParameter", {{"DepthMm", fmt::format("{}", setup.settings.depth)},
+                                   {"GainDb", fmt::format("{}", setup.settings.gain)},
+                                   {"FrequencyMhz", fmt::format("{}", setup.settings.frequency)},
+                                   {"FocusMm", fmt::format("{}", setup.settings.focus)}});
 }
 
 void RemoteStation::follow_points(std::vector<Vec3> points) {
@@ -321,8 +321,8 @@ void RemoteStation::end() {
   shared_->send("StopRecording", {});
 }
 
-void RemoteStation::poll(StationNews& news) {
-  using Phase = StationNews::Phase;
+void RemoteStation::poll(StationUpdate& news) {
+  using Phase = StationUpdate::Phase;
   Shared& shared = *shared_;
   const link::ClientStatus status = shared.client.status();
   const bool is_connected = status.state == link::ClientState::connected;
@@ -335,7 +335,7 @@ void RemoteStation::poll(StationNews& news) {
   news.device = shared.client.place();
   news.samples = std::exchange(shared.samples, {});
   news.events = std::exchange(shared.events, {});
-  // A rigid body has the dimple of its force model, as in a session of this program.
+  // A rigid body gets the dimple of its force model, as in a session of this program.
   if (shared.deforms && !shared.skin.empty() && !shared.points.empty())
     news.displacements = shared.sheet.displacements_at(shared.points, shared.skin);
   news.diagnostic_names.clear();
@@ -345,7 +345,7 @@ void RemoteStation::poll(StationNews& news) {
                                               : fmt::format("Not connected: {}. Trying again", status.sentence);
   }
   const bool runs = is_connected && shared.is_known && shared.has_state && shared.has_pose;
-  if (!runs) {  // what is not current is not shown
+  if (!runs) {  // outdated data are not shown
     news.needle.ticks = 0;
     news.needle.output.in_contact = false;
   }
@@ -359,11 +359,12 @@ void RemoteStation::poll(StationNews& news) {
     news.phase = Phase::running;
   } else if (before != Phase::running) {
     news.phase = Phase::preparing;
-    news.stage = !is_connected ? news.connection
-                 : shared.waits && !shared.trouble.empty()
-                     ? fmt::format("{} waits: the last session was not started: {}", news.device, shared.trouble)
-                 : shared.waits ? fmt::format("{} waits: a session has to be started there", news.device)
-                                : fmt::format("{} prepares", news.device);
+    news.stage =
+        !is_connected ? news.connection
+        : shared.waits && !shared.trouble.empty()
+            ? fmt::format("{} waits, because the last session could not be started: {}", news.device, shared.trouble)
+        : shared.waits ? fmt::format("{} waits for a session to be started there", news.device)
+                       : fmt::format("{} prepares", news.device);
   } else if (shared.waits) {
     news.phase = Phase::finishing;
   }

@@ -12,24 +12,24 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Takes the slices of a scan one by one on a thread of its own. One thread calls.
+// Computes the slices of a scan one by one on a separate thread. Calls from one thread.
 class Scanner {
  public:
   Scanner();
-  // Cancels, and waits for the slice that is being taken.
+  // Cancels, and waits for the slice in progress.
   ~Scanner();
   Scanner(const Scanner&) = delete;
   Scanner& operator=(const Scanner&) = delete;
 
-  // `protocol` must be without trouble, the patient must have a CT. A scan that runs is cancelled.
+  // `protocol` must be valid, the patient must have a CT. Cancels a scan in progress.
   void start(std::shared_ptr<const OpenCase> patient, const imaging::ScanProtocol& protocol,
              const std::optional<imaging::ScannedNeedle>& needle);
-  // The slices that came remain.
+  // Keeps the completed slices.
   void cancel();
   bool running() const;
-  // Of the slices that were ordered, 0 to 1.
+  // Share of the requested slices, 0 to 1.
   double fraction() const;
-  // Appends the slices that came since the last call, in their order. Returns how many.
+  // Appends the slices completed since the last call, in order. Returns their number.
   int collect(imaging::CtScan& scan);
 
  private:
@@ -39,11 +39,11 @@ class Scanner {
   std::jthread thread_;
 };
 
-// The path to a new target: from the entry that the case has, or else straight from the nearest skin in front, behind
-// or beside it. Nothing where the target lies outside the body.
+// The path to a new target: from the entry of the case, or else straight from the nearest skin in front, behind or at
+// the side. Empty if the target is outside the body.
 std::optional<anatomy::NeedlePath> path_to(const OpenCase& patient, const Vec3& target);
 
-// Makes `path` the plan of the case, whose aim is then the point, no longer the entry of a tissue, and writes it to
+// Makes `path` the plan of the case, with the point as its target instead of the entry of a tissue, and writes it to
 // the case's folder. Throws InputError and SystemError, see write_case_description().
 void save_plan(const OpenCase& patient, const anatomy::NeedlePath& path);
 

@@ -5,15 +5,15 @@
 #include <fmt/format.h>
 
 #include "core/files.h"
-#include "imaging/ultrasound_screen/machine_picture.h"
+#include "imaging/ultrasound_screen/scanner_image.h"
 
 namespace bodkin::app {
 
-std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen, imaging::MarkSide mark,
+std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen, imaging::OrientationMarkerSide mark,
                                         const anatomy::Case& patient,
-                                        const std::optional<imaging::NeedleInSound>& needle,
+                                        const std::optional<imaging::NeedleInUltrasound>& needle,
                                         const std::filesystem::path& name) {
-  imaging::MachinePicture picture;
+  imaging::ScannerImage picture;
   picture.moment = screen.moment();
   picture.mark = mark;
   picture.patient = patient.description.name;
@@ -26,7 +26,7 @@ std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen,
   for (int number = 1; file.empty() || std::filesystem::exists(file); ++number) {
     file = fmt::format("{}-{}.png", name.string(), number);
   }
-  write_file(file, imaging::machine_picture(picture, patient.library).png(1.0));
+  write_file(file, imaging::draw_scanner_image(picture, patient.library).png(1.0));
   return file;
 }
 

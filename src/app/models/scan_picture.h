@@ -9,12 +9,11 @@
 
 namespace bodkin::app {
 
-// What is on the screen of an ultrasound machine with all that was measured, and the CT of the same plane next to it,
-// as NAME-1.png, or the first number that no file has. Returns the file. Throws SystemError when it cannot be
-// written.
-std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen, imaging::MarkSide mark,
+// Saves the screen of an ultrasound machine with all measurements, and the CT of the same plane next to it, as
+// NAME-1.png, or with the first unused number. Returns the file. Throws SystemError if it cannot be written.
+std::filesystem::path save_scan_picture(const imaging::UltrasoundScreen& screen, imaging::OrientationMarkerSide mark,
                                         const anatomy::Case& patient,
-                                        const std::optional<imaging::NeedleInSound>& needle,
+                                        const std::optional<imaging::NeedleInUltrasound>& needle,
                                         const std::filesystem::path& name);
 
 }  // namespace bodkin::app

@@ -42,13 +42,13 @@ station::UltrasoundChoice ScanReplay::choice(std::size_t sample) const {
   return choice;
 }
 
-const station::LivePicture& ScanReplay::picture(std::size_t sample, const Pose& needle) {
+const station::LiveImage& ScanReplay::picture(std::size_t sample, const Pose& needle) {
   const bool same = shown_ == sample && picture_.needle && picture_.needle->matrix() == needle.matrix();
   if (same) return picture_;
   const session::ScanSample& now = samples_[sample];
   machine_.set(now.settings);
-  picture_.frame = machine_.image(now.probe, imaging::NeedleInSound{needle, needle_}, std::nullopt, left_);
-  picture_.order = {now.probe, now.settings};
+  picture_.frame = machine_.image(now.probe, imaging::NeedleInUltrasound{needle, needle_}, std::nullopt, left_);
+  picture_.setup = {now.probe, now.settings};
   picture_.needle = needle;
   ++picture_.number;
   shown_ = sample;

@@ -14,33 +14,31 @@
 
 namespace bodkin::app {
 
-// The sample of the session's ultrasound machine that held at `time` s, or its first one before that; nothing: there
-// was no machine.
+// The ultrasound sample valid at `time` s, or the first one for earlier times; empty: the session has no machine.
 std::optional<std::size_t> scan_at(const session::Session& session, double time);
 
-// The border of what the probe saw, LPS mm, a closed line; empty for a session without a machine.
+// The border of the probe's field of view, LPS mm, a closed line; empty for a session without a machine.
 std::vector<Vec3> scan_border(const session::Session& session, std::size_t sample);
 
-// The ultrasound machine of a recorded session: its pictures, made again from how the probe was held and the machine
-// was set. The tissue lies still, also where the session's body was a deformable one, and so do needles that were
-// left.
+// The ultrasound machine of a recorded session: recomputes its images from the recorded probe poses and machine
+// settings. The tissue does not move, even if the session's body was deformable, nor do left needles.
 class ScanReplay {
  public:
-  // Of a session that has samples of a machine. Throws InputError when the patient gives no picture.
+  // For a session with samples of a machine. Throws InputError if the patient allows no image.
   ScanReplay(const session::Session& session, const anatomy::Case& patient, const Progress& progress);
 
-  // Probe and machine as in a sample, for a view that shows them.
+  // Probe and machine of a sample, for display.
   station::UltrasoundChoice choice(std::size_t sample) const;
-  // The picture of a sample with the needle at `needle`. Unchanged until the next call.
-  const station::LivePicture& picture(std::size_t sample, const Pose& needle);
+  // The image of a sample with the needle at `needle`. Unchanged until the next call.
+  const station::LiveImage& picture(std::size_t sample, const Pose& needle);
 
  private:
   std::vector<session::ScanSample> samples_;
   anatomy::Needle needle_;
-  std::vector<imaging::NeedleInSound> left_;
+  std::vector<imaging::NeedleInUltrasound> left_;
   imaging::Ultrasound machine_;
-  station::LivePicture picture_;
-  std::optional<std::size_t> shown_;  // of the picture
+  station::LiveImage picture_;
+  std::optional<std::size_t> shown_;  // of the image
 };
 
 }  // namespace bodkin::app

@@ -15,7 +15,7 @@ namespace bodkin::app {
 
 namespace {
 
-struct SegmentGivenUp : std::exception {};
+struct SegmentCancelled : std::exception {};
 
 anatomy::LabelVolume labels_to_correct(const anatomy::Case& patient) {
   if (patient.ct.empty()) throw InputError("This patient has no CT, so there is nothing to find structures in.");
@@ -34,10 +34,10 @@ bool same_table(const std::vector<anatomy::Structure>& some, const std::vector<a
 }  // namespace
 
 struct SegmentModel::Job {
-  mutable std::mutex lock;  // guards all but `given_up`
+  mutable std::mutex lock;  // guards all but `cancelled`
   Status status;
   std::optional<patient::SegmentMask> mask;
-  std::atomic<bool> given_up{false};
+  std::atomic<bool> cancelled{false};
   std::uint16_t label = 0;
   patient::Overwriting over = patient::Overwriting::all;
   bool only_add = false, taken = false;
@@ -46,19 +46,19 @@ struct SegmentModel::Job {
 
   Progress progress() {
     return [this](std::string_view stage, double fraction) {
-      if (given_up.load()) throw SegmentGivenUp();
+      if (cancelled.load()) throw SegmentCancelled();
       const std::lock_guard guard(lock);
       status.stage = stage;
       status.fraction = fraction;
     };
   }
-  // The end of the work, however it came.
+  // The end of the work, for any reason.
   template <typename Work>
   void run(const Work& work) {
     std::string error;
     try {
       work();
-    } catch (const SegmentGivenUp&) {
+    } catch (const SegmentCancelled&) {
       error = "Cancelled; nothing was changed.";
     } catch (const std::exception& failure) {
       error = failure.what();
@@ -89,13 +89,13 @@ SegmentModel::SegmentModel(std::shared_ptr<const OpenCase> patient)
 SegmentModel::~SegmentModel() {
   cancel();
   try {
-    keep_draft();
+    store_draft();
   } catch (const std::exception&) {
-    // A disk that is full: there is nobody any more to whom it could be told.
+    // A full disk: the user can no longer be notified.
   }
 }
 
-void SegmentModel::keep_draft() {
+void SegmentModel::store_draft() {
   editor_.commit();
   if (!has_changes()) {
     if (kept_version_) forget_label_draft(*patient_);
@@ -198,7 +198,7 @@ bool SegmentModel::has_changes() const {
 }
 
 void SegmentModel::cancel() {
-  if (job_ != nullptr) job_->given_up.store(true);
+  if (job_ != nullptr) job_->cancelled.store(true);
 }
 
 bool SegmentModel::poll() {

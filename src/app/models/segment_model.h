@@ -14,23 +14,23 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The structures of a patient while they are corrected: labels with their steps, the table, one piece of work that
-// takes time (a filter, or saving), which runs on a thread of its own. All calls from one thread.
+// The structures of a patient during correction: labels with undo history, the table, and one slow task (a filter, or
+// saving) on a separate thread. All calls from one thread.
 class SegmentModel {
  public:
   struct Status {
     bool is_busy = false;
-    std::string stage;               // what is being done
+    std::string stage;               // the current step
     double fraction = 0.0;           // of it, 0 to 1
-    std::string error;               // why the last work came to nothing, a sentence
+    std::string error;               // why the last task failed, a sentence
     std::vector<std::string> notes;  // of the last saving
-    bool is_saved = false;           // the last work saved the case
+    bool is_saved = false;           // the last task saved the case
   };
 
-  // With what was changed and not saved the last time, as one step. Throws InputError for a patient without a CT, and
-  // when the procedure of the case cannot be read.
+  // With the unsaved changes of the last time as one step. Throws InputError for a patient without a CT, and if the
+  // procedure of the case cannot be read.
   explicit SegmentModel(std::shared_ptr<const OpenCase> patient);
-  // Cancels what runs; what was not saved is kept for the next time.
+  // Cancels the task in progress; unsaved changes are stored for the next time.
   ~SegmentModel();
   SegmentModel(const SegmentModel&) = delete;
   SegmentModel& operator=(const SegmentModel&) = delete;
@@ -43,36 +43,36 @@ class SegmentModel {
   int active() const { return active_; }
   void choose(int position);
   std::uint16_t active_label() const;
-  // A structure of this name and tissue with a label of its own becomes the active one. Throws InputError for a name
-  // that is empty or taken, and for a tissue that the library does not have.
+  // Adds a structure of this name and tissue with a separate label and makes it active. Throws InputError for an
+  // empty or used name, and for a tissue that is not in the library.
   void add(const std::string& name, const std::string& tissue, bool critical);
 
-  // The active structure has this name. Throws InputError for one that is empty or taken, or without a structure.
+  // Renames the active structure. Throws InputError for an empty or used name, or without a structure.
   void rename(const std::string& name);
-  // The tip must not enter the active structure, as plans, warnings and verdicts see it.
+  // Whether the tip must not enter the active structure, for plans, warnings and verdicts.
   void set_critical(bool critical);
-  // The active structure has no voxels any more, as one step; saving drops what has none.
+  // Removes all voxels of the active structure, as one step; saving drops empty structures.
   void remove();
 
-  // The filter works on the active structure; poll() takes what came of it as a step. Nothing happens while another
-  // work runs or without a structure.
+  // Filters the active structure; poll() adds the result as a step. No effect during another task or without a
+  // structure.
   void run(const patient::SegmentFilter& filter, patient::Overwriting over, bool only_add);
   void save();
   void cancel();
-  // Takes what has come; true: something is new.
+  // Collects results; true: there are some.
   bool poll();
   Status status() const;
-  // Something was changed since it was opened or saved.
+  // There are changes since opening or saving.
   bool has_changes() const;
-  // It began with what was not saved the last time.
+  // It began with unsaved changes of the last time.
   bool has_draft() const { return has_draft_; }
-  // What was changed and not saved is kept beside the case, in case the program ends. Throws SystemError.
-  void keep_draft();
+  // Stores unsaved changes beside the case, in case the program ends. Throws SystemError.
+  void store_draft();
 
  private:
   struct Job;
 
-  // As the table has names. Throws InputError for one that is empty or taken by another than `own`.
+  // A valid name for the table. Throws InputError for an empty name or one used by a structure other than `own`.
   std::string free_name(const std::string& name, int own) const;
 
   std::shared_ptr<const OpenCase> patient_;
@@ -81,10 +81,10 @@ class SegmentModel {
   patient::PlanningRules rules_;
   int active_ = -1;
   std::uint64_t saved_version_ = 0;
-  std::optional<std::uint64_t> kept_version_;  // of the draft beside the case; nothing: there is none
+  std::optional<std::uint64_t> kept_version_;  // of the draft beside the case; empty: none
   bool has_draft_ = false;
   std::vector<anatomy::Structure> saved_table_, kept_table_;
-  std::shared_ptr<Job> job_;  // null: none ran yet
+  std::shared_ptr<Job> job_;  // null: none yet
   std::vector<std::jthread> threads_;
 };
 

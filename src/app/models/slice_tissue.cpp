@@ -15,7 +15,7 @@ constexpr double skin_step = 0.5;           // mm
 constexpr double seen_in_slices = 0.05;     // mm
 constexpr double worth_other_slices = 0.4;  // mm: three slices take some milliseconds
 
-// The point itself, or the skin below one in the air; where that is far away, the point.
+// The point itself, or the skin below a point in air; if the skin is far away, the point.
 Vec3 tissue_below(const Vec3& point, const Vec3& inwards, double farthest, const anatomy::TissueVolume& tissues) {
   for (double way = 0.0; way <= farthest; way += skin_step) {
     Vec3 place = point + way * inwards;
@@ -53,7 +53,7 @@ std::span<const float> SliceTissue::of_others(std::span<const float> displacemen
   return displacements.first(3 * others_);
 }
 
-const std::shared_ptr<const imaging::MovedTissue>& SliceTissue::now(std::span<const float> displacements) {
+const std::shared_ptr<const imaging::TissueDisplacement>& SliceTissue::now(std::span<const float> displacements) {
   const std::span<const float> of_lattice = displacements.subspan(of_others(displacements).size());
   if (std::none_of(of_lattice.begin(), of_lattice.end(),
                    [](float part) { return std::abs(static_cast<double>(part)) > seen_in_slices; })) {
@@ -64,7 +64,7 @@ const std::shared_ptr<const imaging::MovedTissue>& SliceTissue::now(std::span<co
   for (std::size_t point = 0; point < borders_.size(); ++point) {
     if (borders_[point]) std::fill_n(moved.begin() + static_cast<std::ptrdiff_t>(3 * point), 3, 0.0F);
   }
-  auto made = std::make_shared<const imaging::MovedTissue>(lattice_, std::move(moved));
+  auto made = std::make_shared<const imaging::TissueDisplacement>(lattice_, std::move(moved));
   if (now_ == nullptr || made->most_difference(*now_) > worth_other_slices) now_ = std::move(made);
   return now_;
 }

@@ -40,7 +40,7 @@ void add_bytes(std::vector<char>& bytes, Number value, int count) {
 
 }  // namespace
 
-std::optional<Sound> SoundCues::hear(const Frame& frame) {
+std::optional<Sound> SoundCues::cue_for(const Frame& frame) {
   const bool is_warning = frame.warning.has_value() && frame.state != State::paused;
   const bool is_bone = is_warning && frame.warning->kind == Warning::Kind::bone;
   std::optional<Sound> wanted;
@@ -55,7 +55,7 @@ std::optional<Sound> SoundCues::hear(const Frame& frame) {
   if (!wanted || (last_ >= 0.0 && frame.clock - last_ < sounds_apart)) {
     if (!is_warning) warned_ = false;
     if (!frame.target_reached) reached_ = false;
-    return std::nullopt;  // what was too early comes with a later frame
+    return std::nullopt;  // sounds too early for this frame come with a later one
   }
   last_ = frame.clock;
   warned_ = is_warning;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::chrono::milliseconds watch_interval{4};
 
 // Thrown out of a Progress to end the preparation.
-struct PreparationGivenUp : std::exception {
+struct PreparationCancelled : std::exception {
   const char* what() const noexcept override { return "given up"; }
 };
 
@@ -64,9 +64,9 @@ AttemptResult result_of(const std::filesystem::path& file, const anatomy::Case& 
 
 struct StationLink::Shared {
   std::mutex lock;  // guards all but `ended`
-  StationNews news;
+  StationUpdate news;
   std::vector<station::StationCommand> commands;
-  std::optional<station::ScanOrder> order;
+  std::optional<station::ScanSetup> setup;
   std::optional<BodyPlace> body;
   std::optional<std::pair<std::vector<Vec3>, Vec3>> points;  // and the entry that they are about
   std::optional<std::pair<anatomy::HapticSettings, std::vector<anatomy::TissueProperties>>> numbers;
@@ -80,7 +80,7 @@ class StationLink::Observer : public station::StationObserver {
 
   Progress progress() override {
     return [shared = shared_](std::string_view stage, double fraction) {
-      if (shared->ended.load()) throw PreparationGivenUp();
+      if (shared->ended.load()) throw PreparationCancelled();
       const std::lock_guard guard(shared->lock);
       shared->news.stage = stage;
       shared->news.fraction = fraction;
@@ -100,19 +100,19 @@ class StationLink::Observer : public station::StationObserver {
 
   void update(station::Station& station, const station::StationStatus& status) override {
     std::vector<station::StationCommand> commands;
-    std::optional<station::ScanOrder> order;
+    std::optional<station::ScanSetup> setup;
     std::optional<BodyPlace> body;
     decltype(shared_->points) points;
     decltype(shared_->numbers) numbers;
-    std::shared_ptr<const station::LivePicture> picture;
+    std::shared_ptr<const station::LiveImage> picture;
     if (status.ultrasound != nullptr && status.ultrasound->number != shown_picture_) {
       shown_picture_ = status.ultrasound->number;
-      picture = std::make_shared<const station::LivePicture>(*status.ultrasound);
+      picture = std::make_shared<const station::LiveImage>(*status.ultrasound);
     }
     {
       const std::lock_guard guard(shared_->lock);
       commands.swap(shared_->commands);
-      order.swap(shared_->order);
+      setup.swap(shared_->setup);
       body.swap(shared_->body);
       points.swap(shared_->points);
       numbers.swap(shared_->numbers);
@@ -121,7 +121,7 @@ class StationLink::Observer : public station::StationObserver {
     }
     for (const station::StationCommand command : commands) station.command(command);
     if (points) follow(station, points->first, points->second);
-    if (order) station.set_scan_order(*order);
+    if (setup) station.set_scan_setup(*setup);
     if (body && !station.move_body(body->middle, body->rotation))
       note("The body stays where it is: a needle touches it, or a second hand takes part.");
     if (numbers) station.change_numbers(numbers->first, numbers->second);
@@ -137,8 +137,8 @@ class StationLink::Observer : public station::StationObserver {
     }
   }
 
-  void publish(const station::StationStatus& status, std::shared_ptr<const station::LivePicture> picture) {
-    StationNews& news = shared_->news;
+  void publish(const station::StationStatus& status, std::shared_ptr<const station::LiveImage> picture) {
+    StationUpdate& news = shared_->news;
     news.time = status.time;
     news.servo = status.servo;
     news.needle = status.needle;
@@ -146,7 +146,7 @@ class StationLink::Observer : public station::StationObserver {
     news.message = status.message;
     if (news.diagnostic_names.empty())
       news.diagnostic_names.assign(status.diagnostic_names.begin(), status.diagnostic_names.end());
-    if (news.samples.size() < StationNews::most_samples)
+    if (news.samples.size() < StationUpdate::most_samples)
       news.samples.insert(news.samples.end(), status.samples.begin(), status.samples.end());
     news.events.insert(news.events.end(), status.events.begin(), status.events.end());
     news.displacements.assign(status.displacements.begin(), status.displacements.end());
@@ -177,8 +177,8 @@ void StationLink::stop() {
 void StationLink::follow(std::unique_ptr<RemoteStation> station) {
   stop();
   shared_.reset();
-  news_ = StationNews{};
-  news_.phase = StationNews::Phase::preparing;
+  news_ = StationUpdate{};
+  news_.phase = StationUpdate::Phase::preparing;
   remote_ = std::move(station);
 }
 
@@ -186,12 +186,12 @@ void StationLink::start(station::StationOptions options, const std::string& devi
                         std::vector<Vec3> points) {
   stop();
   shared_ = std::make_shared<Shared>();
-  shared_->news.phase = StationNews::Phase::preparing;
+  shared_->news.phase = StationUpdate::Phase::preparing;
   shared_->news.device = device;
-  news_ = StationNews{};
+  news_ = StationUpdate{};
   thread_ = std::jthread([shared = shared_, options = std::move(options), rules = std::move(rules),
                           points = std::move(points)]() mutable {
-    const auto enter = [&shared](StationNews::Phase phase) {
+    const auto enter = [&shared](StationUpdate::Phase phase) {
       const std::lock_guard guard(shared->lock);
       shared->news.phase = phase;
     };
@@ -206,26 +206,26 @@ void StationLink::start(station::StationOptions options, const std::string& devi
       Observer observer(shared, std::move(points));
       station::Station station(std::move(options), observer);
       is_made = true;
-      if (shared->ended.load()) throw PreparationGivenUp();
+      if (shared->ended.load()) throw PreparationCancelled();
       {
         const std::lock_guard guard(shared->lock);
         shared->news.limits = station.patient().description.device;
       }
       station.start();
-      enter(StationNews::Phase::running);
+      enter(StationUpdate::Phase::running);
       while (!station.ended()) {
         std::this_thread::sleep_for(watch_interval);
         observer.update(station, station.update());
       }
-      enter(StationNews::Phase::finishing);
+      enter(StationUpdate::Phase::finishing);
       session::RunResult run = station.finish().run;
       AttemptResult result = result_of(file, station.patient(), rules, std::move(run));
       const std::lock_guard guard(shared->lock);
       shared->news.result = std::move(result);
-      shared->news.phase = StationNews::Phase::finished;
-    } catch (const PreparationGivenUp&) {
+      shared->news.phase = StationUpdate::Phase::finished;
+    } catch (const PreparationCancelled&) {
       remove_empty();
-      enter(StationNews::Phase::idle);
+      enter(StationUpdate::Phase::idle);
     } catch (const std::exception& failure) {
       const bool is_empty = remove_empty();
       const std::lock_guard guard(shared->lock);
@@ -235,7 +235,7 @@ void StationLink::start(station::StationOptions options, const std::string& devi
         shared->news.result->headline = "The session was cut off; what was recorded until then is kept";
       }
       shared->news.error = failure.what();
-      shared->news.phase = StationNews::Phase::failed;
+      shared->news.phase = StationUpdate::Phase::failed;
     }
   });
 }
@@ -255,11 +255,11 @@ void StationLink::command(station::StationCommand command) {
   shared_->commands.push_back(command);
 }
 
-void StationLink::set_scan_order(const station::ScanOrder& order) {
-  if (remote_ != nullptr) return remote_->set_scan_order(order);
+void StationLink::set_scan_setup(const station::ScanSetup& setup) {
+  if (remote_ != nullptr) return remote_->set_scan_setup(setup);
   if (shared_ == nullptr) return;
   const std::lock_guard guard(shared_->lock);
-  shared_->order = order;
+  shared_->setup = setup;
 }
 
 void StationLink::move_body(const BodyPlace& place) {
@@ -280,7 +280,7 @@ void StationLink::end() {
   if (shared_ != nullptr) shared_->ended.store(true);
 }
 
-const StationNews& StationLink::poll() {
+const StationUpdate& StationLink::poll() {
   if (remote_ != nullptr) {
     remote_->poll(news_);
     return news_;

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds patience_with_station{5};
 constexpr std::chrono::milliseconds time_between_looks{20};
 
-// What the station tells of its patient; a session that runs there tells its tissues too.
+// The station's description of its patient; a running session also reports its tissues.
 link::StationView ask(const link::ClientSettings& server) {
   const link::StationWatch watch(server);
   link::StationView view;
@@ -44,7 +44,7 @@ bool is_patient(const fs::path& folder, const link::StationView& station) {
     return station.tissues_digest.empty() ||
            io::volume_digest(io::load_case_tissues(folder, description, {})) == station.tissues_digest;
   } catch (const std::exception&) {
-    return false;  // a damaged case is not the one that is looked for
+    return false;  // a damaged case is not the requested one
   }
 }
 
@@ -59,8 +59,8 @@ fs::path patient_of_station(const link::ClientSettings& server, std::span<const 
     }
   }
   throw InputError(
-      fmt::format("the station at {} has the patient '{}', of whom there is no case here; copy its folder, and name "
-                  "it: bodkin app CASE --connect {}",
+      fmt::format("the station at {} has the patient '{}', whose case is not on this computer; copy its folder, and "
+                  "name the copy: bodkin app CASE --connect {}",
                   station.place, station.patient, station.place));
 }
 

@@ -15,7 +15,7 @@ StepFollower::StepFollower(training::Procedure procedure, const anatomy::Case& p
     Watched watched;
     const anatomy::TissueProperties* const tissue = step.tissue.empty() ? nullptr : patient.library.find(step.tissue);
     if (tissue != nullptr) watched.tissue = tissue->id;
-    if (!step.shown.empty()) watched.sought = training::find_sought(patient.description, path, step.shown);
+    if (!step.shown.empty()) watched.scan_target = training::find_scan_target(patient.description, path, step.shown);
     watched_.push_back(watched);
   }
 }
@@ -29,7 +29,7 @@ void StepFollower::begin() {
 bool StepFollower::shows(const Frame& frame, std::size_t step) const {
   const anatomy::TissueId tissue = watched_[step].tissue;
   if (tissue != anatomy::tissue::air) {
-    // A tip that jumps through a ligament is in it in no picture.
+    // A tip that jumps through a ligament is in it in no frame.
     const bool is_passed =
         std::any_of(frame.events.begin(), frame.events.end(), [tissue](const session::SessionEvent& event) {
           return event.event.kind == forces::EventKind::tissue_entered && event.event.tissue == tissue;
@@ -43,8 +43,8 @@ bool StepFollower::shows(const Frame& frame, std::size_t step) const {
          });
 }
 
-// A needle that has only touched the skin was not withdrawn after the procedure: that counts as the last step alone.
-// Of two steps that show by the same event the earlier one comes first.
+// A needle that only touched the skin was not withdrawn after the procedure: withdrawal counts only as the last step.
+// Of two steps shown by the same event the earlier one comes first.
 bool StepFollower::is_in_turn(std::size_t step) const {
   const std::string& wanted = procedure_.steps[step].event;
   for (std::size_t between = next_; between < step; ++between) {
@@ -56,20 +56,20 @@ bool StepFollower::is_in_turn(std::size_t step) const {
   return true;
 }
 
-void StepFollower::look(const station::LivePicture& picture, const anatomy::UltrasoundProbe& probe) {
+void StepFollower::look(const station::LiveImage& picture, const anatomy::UltrasoundProbe& probe) {
   has_probe_ = true;
   if (picture.frame.why != imaging::NoImage::none) return;  // it is black
-  const training::ProbeMoment moment =
-      training::probe_moment({.probe = picture.order.probe, .settings = picture.order.settings}, 0.0);
+  const training::ProbeState moment =
+      training::probe_moment({.probe = picture.setup.probe, .settings = picture.setup.settings}, 0.0);
   for (Watched& each : watched_) {
-    each.was_shown =
-        each.was_shown || (each.sought && training::is_shown(*each.sought, moment, &probe, procedure_.thresholds));
+    each.was_shown = each.was_shown || (each.scan_target &&
+                                        training::is_shown(*each.scan_target, moment, &probe, procedure_.thresholds));
   }
 }
 
 void StepFollower::follow(const Frame& frame, const anatomy::UltrasoundProbe* probe) {
   if (frame.ultrasound != nullptr && probe != nullptr) look(*frame.ultrasound, *probe);
-  // The farthest that shows.
+  // The farthest visible one.
   for (std::size_t step = watched_.size(); step > next_; --step) {
     if (!is_in_turn(step - 1) || !shows(frame, step - 1)) continue;
     next_ = step;
@@ -81,7 +81,7 @@ void StepFollower::follow(const Frame& frame, const anatomy::UltrasoundProbe* pr
 const training::Step* StepFollower::next() const {
   if (next_ >= watched_.size()) return nullptr;
   for (std::size_t step = 0; has_probe_ && step < next_; ++step)
-    if (watched_[step].sought && !watched_[step].was_shown) return &procedure_.steps[step];
+    if (watched_[step].scan_target && !watched_[step].was_shown) return &procedure_.steps[step];
   return &procedure_.steps[next_];
 }
 

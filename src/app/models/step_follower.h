@@ -14,38 +14,38 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Which step of a procedure comes next, while it is done: the one after the farthest that the needle has reached. A
-// step that the ultrasound shows is over once the picture has shown it: before its turn too, and no sooner where the
-// needle is ahead of the probe. A step that nothing shows is over when a later one is reached, and so is one of the
-// ultrasound without a probe, or of something that this patient has no landmark for.
+// Determines the next step of a procedure: the one after the farthest step that the needle has reached. A step shown
+// by ultrasound is complete once the image has shown it: even early, and no sooner if the needle is ahead of the
+// probe. A step without such a sign is complete when a later one is reached; so is an ultrasound step without a
+// probe, or one whose landmark this patient lacks.
 class StepFollower {
  public:
   StepFollower() = default;
   StepFollower(training::Procedure procedure, const anatomy::Case& patient);
 
-  // A new attempt.
+  // Begins a new attempt.
   void begin();
-  // `probe`: of the machine whose pictures the frame has; null: none.
+  // `probe`: of the machine whose images the frame has; null: none.
   void follow(const Frame& frame, const anatomy::UltrasoundProbe* probe);
-  // Null: there are no steps, or the last one is done.
+  // Null: there are no steps, or the last one is complete.
   const training::Step* next() const;
 
  private:
-  // By what a step is known to be over, besides an event.
+  // The sign of a completed step, besides an event.
   struct Watched {
     anatomy::TissueId tissue = anatomy::tissue::air;  // air: none
-    std::optional<training::Sought> sought;           // by the ultrasound
+    std::optional<training::ScanTarget> scan_target;  // by ultrasound
     bool was_shown = false;
   };
 
   bool is_in_turn(std::size_t step) const;
   bool shows(const Frame& frame, std::size_t step) const;
-  void look(const station::LivePicture& picture, const anatomy::UltrasoundProbe& probe);
+  void look(const station::LiveImage& picture, const anatomy::UltrasoundProbe& probe);
 
   training::Procedure procedure_;
   std::vector<Watched> watched_;  // of each step
   std::size_t next_ = 0;
-  bool has_probe_ = false;  // there were pictures
+  bool has_probe_ = false;  // there were images
 };
 
 }  // namespace bodkin::app

@@ -10,7 +10,7 @@ void TourSteps::see(const Frame& frame) noexcept {
   const bool in_body = needle_is_down(frame.state) && frame.state != State::touching;
   switch (step_) {
     case Step::look:
-      if (needle_is_down(frame.state)) step_ = Step::push;  // who needles at once has aimed
+      if (needle_is_down(frame.state)) step_ = Step::push;  // whoever inserts at once has aimed
       return;
     case Step::aim:
       if (needle_is_down(frame.state)) step_ = Step::push;

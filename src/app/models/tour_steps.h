@@ -8,14 +8,14 @@ namespace bodkin::app {
 
 using namespace views;
 
-// How far somebody is on the two-minute tour: look, aim, push, read. Each ends by being done.
+// Progress of the two-minute tour: look, aim, push, read. Each step ends when the user has done it.
 class TourSteps {
  public:
   enum class Step : std::uint8_t { look, aim, push, read, done };
   static constexpr int count = 4;
 
   Step step() const noexcept { return step_; }
-  // The patient was turned or brought nearer.
+  // The patient was turned or zoomed.
   void looked() noexcept;
   void see(const Frame& frame) noexcept;
 

@@ -37,14 +37,14 @@ TrackedAttempt::TrackedAttempt(const std::shared_ptr<const OpenCase>& patient, c
   link_.start(std::move(options), "Tracked needle", {true, ""}, tissue_.follow({}, *path, patient->patient.tissues));
 }
 
-const StationNews& TrackedAttempt::poll() {
-  const StationNews& news = link_.poll();
+const StationUpdate& TrackedAttempt::poll() {
+  const StationUpdate& news = link_.poll();
   moved_ = tissue_.now(news.displacements);
   return news;
 }
 
-std::string TrackedAttempt::sentence(const StationNews& news) {
-  using Phase = StationNews::Phase;
+std::string TrackedAttempt::sentence(const StationUpdate& news) {
+  using Phase = StationUpdate::Phase;
   switch (news.phase) {
     case Phase::idle:
     case Phase::preparing:
@@ -65,8 +65,8 @@ std::string TrackedAttempt::sentence(const StationNews& news) {
   return {};
 }
 
-bool TrackedAttempt::is_over(const StationNews& news) {
-  return news.phase == StationNews::Phase::finished || news.phase == StationNews::Phase::failed;
+bool TrackedAttempt::is_over(const StationUpdate& news) {
+  return news.phase == StationUpdate::Phase::finished || news.phase == StationUpdate::Phase::failed;
 }
 
 }  // namespace bodkin::app

@@ -14,31 +14,31 @@ namespace bodkin::app {
 
 using namespace views;
 
-// A session whose needle is the real one that the page of augmented reality tracks, and whose ultrasound is that of
-// the tracked probe: recorded and judged as every other. All calls from the window's thread; none waits but the last.
+// A session with the real needle tracked by the augmented-reality page, and ultrasound of the tracked probe: recorded
+// and judged like every other session. All calls from the window's thread; only the last one waits.
 class TrackedAttempt {
  public:
-  // The needle is that of these pictures, which must be tracked already (CameraWatch). `registration`: see there.
-  // `ultrasound`: of the probe; nothing: without. Throws InputError for a patient without a planned path, SystemError
-  // where no session can be kept.
+  // The needle of these images, which must be tracked already (CameraWatch). `registration`: see there. `ultrasound`:
+  // of the probe; empty: without. Throws InputError for a patient without a planned path, SystemError if no session
+  // can be stored.
   TrackedAttempt(const std::shared_ptr<const OpenCase>& patient, const tracking::FootageFiles& files,
                  const std::filesystem::path& registration,
                  const std::optional<station::UltrasoundChoice>& ultrasound);
 
-  // Where the tracked probe is held now.
-  void set_scan_order(const station::ScanOrder& order) { link_.set_scan_order(order); }
+  // The present pose of the tracked probe.
+  void set_scan_setup(const station::ScanSetup& setup) { link_.set_scan_setup(setup); }
   void end() { link_.end(); }
-  // Once a frame: what is new. A session of footage ends with it.
-  const StationNews& poll();
-  // How the needle has moved the tissue of a body that deforms, of the newest news; null: it rests.
-  const std::shared_ptr<const imaging::MovedTissue>& moved_tissue() const { return moved_; }
-  // What the person should read of the newest news, one sentence in the words of the source.
-  static std::string sentence(const StationNews& news);
-  static bool is_over(const StationNews& news);
+  // Once a frame: the news. A session of footage ends with it.
+  const StationUpdate& poll();
+  // The displacement of a deformable body's tissue by the needle, from the newest news; null: at rest.
+  const std::shared_ptr<const imaging::TissueDisplacement>& moved_tissue() const { return moved_; }
+  // The message of the newest news, one sentence in the source's language.
+  static std::string sentence(const StationUpdate& news);
+  static bool is_over(const StationUpdate& news);
 
  private:
   SliceTissue tissue_;
-  std::shared_ptr<const imaging::MovedTissue> moved_;
+  std::shared_ptr<const imaging::TissueDisplacement> moved_;
   StationLink link_;
 };
 

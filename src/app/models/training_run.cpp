@@ -24,7 +24,7 @@ std::string deliver(const training::PlanInUse& use, training::AttemptRecord reco
       training::ResultStore store(place);
       training::put_in_stages(use, store, records);
     } catch (const std::exception&) {
-      // It keeps the stage that the window counted, and the outbox says why it waits.
+      // It keeps the stage counted by the window, and the outbox reports why it waits.
     }
     return outbox.add(records.front()).reason;
   } catch (const std::exception& error) {

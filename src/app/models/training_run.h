@@ -11,52 +11,52 @@
 
 namespace bodkin::app {
 
-// How far a trainee is in a plan, as the store has it.
+// A trainee's progress in a plan, from the store.
 struct PlanStanding {
-  std::string name;     // of the plan as it was asked for, a file or one that comes with Bodkin
-  std::string trainee;  // empty: none was asked for, and nothing is known of attempts
+  std::string name;     // of the plan as requested, a file or a plan supplied with Bodkin
+  std::string trainee;  // empty: none was given, and no attempts are known
   training::PlanInUse use;
   std::vector<training::StageAttempt> attempts;         // of the plan, in the order of time
-  std::vector<training::AttemptSummary> of_every_kind;  // all of this trainee
+  std::vector<training::AttemptSummary> of_every_kind;  // all attempts of this trainee
   std::string trouble;                                  // why there is no plan or no store, one sentence; empty: none
 
   bool has_plan() const { return !use.plan.stages.empty(); }
   training::PlanProgress progress() const { return training::progress_in(use.plan, attempts); }
 };
 
-// Reads a plan, looks for every name in it, delivers what waits for the store, and looks there how far the trainee
-// is. May take seconds where the store is a server. What fails is said in `trouble`.
+// Reads a plan, resolves all names in it, delivers waiting results to the store, and looks up the trainee's progress.
+// May take seconds with a server. Errors are in `trouble`.
 PlanStanding read_standing(const std::string& plan, const std::string& trainee);
 
 // "Stage 2 of 3: Without the planned path. 1 of 2 passed in a row, attempt 3 of 10"; or that it is finished.
 std::string standing_words(const PlanStanding& standing);
 
-// A trainee on the way through a plan. Results go into the store on a thread of their own, one after the other; what
-// the store cannot take waits on this station.
+// A trainee's progress through a plan. Results are stored on a separate thread, one after the other; results that the
+// store cannot accept wait on this station.
 class TrainingRun {
  public:
   explicit TrainingRun(PlanStanding standing) : standing_(std::move(standing)) {}
-  // Waits until everything is kept.
+  // Waits until everything is stored.
   ~TrainingRun() = default;
   TrainingRun(const TrainingRun&) = delete;
   TrainingRun& operator=(const TrainingRun&) = delete;
 
   const PlanStanding& standing() const noexcept { return standing_; }
-  // From 1; one more than the plan has: it is finished.
+  // From 1; one more than the number of stages: finished.
   int stage_number() const { return standing_.progress().stage; }
-  // That is to be done; nothing: the plan is finished.
+  // The next stage; empty: the plan is finished.
   std::optional<training::PlanStage> stage() const;
 
-  // An attempt in the present stage; the session of it belongs to the store from now on.
+  // Stores an attempt of the present stage; its session then belongs to the store.
   void keep(training::AttemptRecord record);
-  // Waits until everything is kept, and returns the sentences of take_note().
+  // Waits until everything is stored, and returns the sentences of take_note().
   std::string finish();
   // Why a result waits on this station, once; empty: none does.
   std::string take_note();
 
  private:
   PlanStanding standing_;
-  std::vector<std::shared_future<std::string>> kept_;  // in order; each waits for the one before
+  std::vector<std::shared_future<std::string>> kept_;  // in order; each waits for the previous one
 };
 
 }  // namespace bodkin::app

@@ -8,7 +8,7 @@ using namespace views;
 
 namespace {
 
-constexpr double beside_bone = 2.0;  // mm around the tip in which the bone that it touches is looked for
+constexpr double beside_bone = 2.0;  // mm around the tip, searched for the bone that it touches
 
 // The labelled structure at a point; null: none.
 const anatomy::Structure* structure_at(const anatomy::Case& patient, const Vec3& point) {
@@ -25,7 +25,7 @@ bool is_bone(anatomy::TissueId tissue) {
   return tissue == anatomy::tissue::cortical_bone || tissue == anatomy::tissue::cancellous_bone;
 }
 
-// The name of the bone at the tip or next to it; empty: it has none.
+// The name of the bone at or next to the tip; empty: it has none.
 std::string bone_near(const anatomy::Case& patient, const Vec3& tip) {
   for (const double reach : {0.0, 0.5 * beside_bone, beside_bone}) {
     for (int side = 0; side < 6; ++side) {

@@ -10,9 +10,9 @@ namespace bodkin::app {
 
 using namespace views;
 
-// What is wrong where the tip is: bone under pressure, a nerve or the cord, a vessel, an organ, or a structure that
-// the case calls critical. `is_on_bone`: the models have met bone and not left it. Nothing where all is well, and in
-// the target's own tissue.
+// The danger at the tip: bone under pressure, a nerve or the cord, a vessel, an organ, or a structure that the case
+// marks as critical. `is_on_bone`: the models have detected bone contact that has not ended. Empty if there is no
+// danger, and in the target's own tissue.
 std::optional<Warning> warning_at(const anatomy::Case& patient, const Vec3& tip, anatomy::TissueId tissue,
                                   bool is_on_bone);
 

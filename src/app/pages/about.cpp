@@ -1,4 +1,4 @@
-// The card that says which Bodkin this is, and what it is made with.
+// The card with Bodkin's version and its libraries.
 #include <QApplication>
 #include <QClipboard>
 #include <QHBoxLayout>
@@ -50,7 +50,7 @@ AboutCard::AboutCard(QWidget* parent) : Card("about", parent) {
   add_label("second")->setText(tr("Free software under the Apache License 2.0, without any warranty."));
   auto* const row = new QHBoxLayout;
   row->addStretch(1);
-  connect(add_button(row, "about.copy", tr("Copy"), tr("The versions as text, for a report of a fault"), false),
+  connect(add_button(row, "about.copy", tr("Copy"), tr("Copy the versions as text, for a bug report"), false),
           &QPushButton::clicked, this, [plain] { QApplication::clipboard()->setText(plain); });
   connect(add_button(row, "about.close", tr("Close"), tr("Back (Esc)"), true), &QPushButton::clicked, this,
           &AboutCard::closed);

@@ -87,9 +87,9 @@ QWidget* AtlasPage::make_side() {
   card_->setTextFormat(Qt::RichText);
   rows->addWidget(card_, 4);
   needle_ =
-      button(tr("Practise this point"), "atlas.practise", tr("Needle it in a block of the body about it"), *rows);
+      button(tr("Practise this point"), "atlas.practise", tr("Needle it in a block of the body around it"), *rows);
   needle_->setProperty("role", QStringLiteral("primary"));
-  find_ = button(tr("Find points"), "atlas.find", tr("A point is named, you show it on the body (N)"), *rows);
+  find_ = button(tr("Find points"), "atlas.find", tr("Show on the body where a named point is (N)"), *rows);
   both_ = button(tr("And needle it"), "atlas.both",
                  tr("Where you show the point, the needle goes in; the true point is shown afterwards"), *rows);
   both_->setCheckable(true);
@@ -97,7 +97,7 @@ QWidget* AtlasPage::make_side() {
                   tr("The needle of your device shows points on the body, without force (T)"), *rows);
   touch_->setCheckable(true);
   again_ = button(tr("The same again"), "atlas.again", tr("Show the same point once more (A)"), *rows);
-  stop_ = button(tr("Back to the atlas"), "atlas.stop", tr("Stop being asked (Esc)"), *rows);
+  stop_ = button(tr("Back to the atlas"), "atlas.stop", tr("Stop finding points (Esc)"), *rows);
   score_ = new QLabel;
   score_->setObjectName(QStringLiteral("atlas.score"));
   score_->setProperty("role", QStringLiteral("second"));
@@ -152,33 +152,33 @@ void AtlasPage::touch_with_device(bool on) {
     return;
   }
   if (!device_) {
-    view_->say(tr("The mouse points by itself. Choose a device under Devices to touch with its needle."));
+    view_->show_message(tr("The mouse points by itself. Choose a device under Devices to touch with its needle."));
     touch_->setChecked(false);
     return;
   }
   if (quiz_.point() != nullptr) stop_asking();
   touches_ = opens_ = true;
-  view_->say(tr("Touch a point with the needle. Wheel to come nearer, drag to turn."));
+  view_->show_message(tr("Touch a point with the needle. Wheel to come nearer, drag to turn."));
 }
 
-// The needle where the device is read to be; it goes when the device does.
+// The needle at the device's position; it disappears with the device.
 void AtlasPage::follow_device() {
-  const DeviceWork::News news = hand_.news();
+  const DeviceWork::Status status = hand_.status();
   if (opens_) {
-    if (news.is_busy) return;
+    if (status.is_busy) return;
     hand_.check(*device_, longest_touch);
     opens_ = false;
     return;
   }
-  if (!news.is_busy) {
-    const QString why = in_words(news.trouble);
+  if (!status.is_busy) {
+    const QString why = in_words(status.trouble);
     touch_->setChecked(false);
-    view_->say(why);
+    view_->show_message(why);
     return;
   }
-  if (!news.is_open) return;
-  const Vec3 &low = news.abilities.workspace_low, &high = news.abilities.workspace_high;
-  Pose hand = news.hand;
+  if (!status.is_open) return;
+  const Vec3 &low = status.abilities.workspace_low, &high = status.abilities.workspace_high;
+  Pose hand = status.hand;
   hand.translation() -= 0.5 * (low + high);
   view_->show_needle(hand, high.z() > low.z() ? high.z() - low.z() : usual_reach);
 }
@@ -192,19 +192,19 @@ void AtlasPage::advance(double /*clock*/) {
   }
   if (!view_->is_ready()) {
     if (const auto surfaces = model_.surfaces(); surfaces && atlas_) {
-      view_->say({});
+      view_->show_message({});
       view_->set_body(atlas_, surfaces);
     } else {
-      view_->say(status.error.empty() ? tr("Preparing the body: %1 %").arg(qRound(100.0 * status.fraction))
-                                      : in_words(status.error));
+      view_->show_message(status.error.empty() ? tr("Preparing the body: %1 %").arg(qRound(100.0 * status.fraction))
+                                               : in_words(status.error));
     }
   }
   if (touches_) follow_device();
   if (!making_.isEmpty()) {
-    view_->say(tr("Preparing %1: %2 %").arg(making_).arg(qRound(100.0 * status.fraction)));
+    view_->show_message(tr("Preparing %1: %2 %").arg(making_).arg(qRound(100.0 * status.fraction)));
     if (!status.working) {
       making_.clear();
-      view_->say(in_words(status.error));
+      view_->show_message(in_words(status.error));
       const std::optional<Vec3> found = std::exchange(found_at_, std::nullopt);
       if (status.error.empty() && found) {
         emit needling_requested(text(status.made.string()), *found);
@@ -288,13 +288,13 @@ void AtlasPage::take(const Vec3& place, const patient::AtlasPoint* point) {
   view_->hide_points(false);
   view_->show_answer(place);
   choose(quiz_.point(), false);
-  view_->say(tr("%1 %2: you are %3 mm off")
-                 .arg(text(quiz_.point()->code), text(quiz_.point()->pinyin))
-                 .arg(quiz_.miss(), 0, 'f', 0));
+  view_->show_message(tr("%1 %2: you are %3 mm off")
+                          .arg(text(quiz_.point()->code), text(quiz_.point()->pinyin))
+                          .arg(quiz_.miss(), 0, 'f', 0));
 }
 
-// The case about the point that was asked for, for a needle at the place that was shown. False where the place is not
-// in it. A case has the left half of the body.
+// The case about the requested point, for a needle at the shown place. False if the place is not in it. A case has
+// the left half of the body.
 bool AtlasPage::needles_found(const Vec3& place) {
   const patient::AtlasPoint& point = *quiz_.point();
   const bool is_right = point.bilateral && (place - point.mirrored()).norm() < (place - point.place).norm();
@@ -320,7 +320,7 @@ void AtlasPage::ask(bool same) {
   view_->show_answer(std::nullopt);
   view_->hide_points(true);
   if (!same) view_->look_at_all();
-  view_->say(tr("Where is %1, %2?").arg(text(quiz_.point()->code), text(quiz_.point()->pinyin)));
+  view_->show_message(tr("Where is %1, %2?").arg(text(quiz_.point()->code), text(quiz_.point()->pinyin)));
   again_->hide();
   stop_->show();
   both_->show();
@@ -333,7 +333,7 @@ void AtlasPage::stop_asking() {
   search_->setEnabled(true);
   view_->hide_points(false);
   view_->show_answer(std::nullopt);
-  view_->say({});
+  view_->show_message({});
   find_->setText(tr("Find points"));
   again_->hide();
   stop_->hide();

@@ -22,8 +22,8 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The acupuncture atlas: the body, a search, a card for the chosen point, the way to needle it, and the game of
-// finding points.
+// The acupuncture atlas: the body, a search, a card for the chosen point, the transition to needling it, and the game
+// of finding points.
 class AtlasPage : public Page {
   Q_OBJECT
  public:
@@ -33,11 +33,11 @@ class AtlasPage : public Page {
   void leave() override;
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
-  // The device that holds the needle, to touch points with; nothing: the mouse, whose pointer does.
+  // The needle device for touching points; empty: the mouse pointer.
   void set_device(const std::optional<station::DeviceChoice>& device);
 
  signals:
-  // Needle a point that was found on the body: the case about it, and where the student pointed, LPS mm.
+  // Needle a point found on the body: the case around it, and the place indicated by the student, LPS mm.
   void needling_requested(const QString& folder, const bodkin::Vec3& place);
 
  private:
@@ -65,11 +65,11 @@ class AtlasPage : public Page {
   const patient::AtlasPoint* chosen_ = nullptr;
   std::shared_ptr<const patient::Atlas> atlas_;
   std::optional<station::DeviceChoice> device_;
-  DeviceWork hand_;  // reads the device while it touches
+  DeviceWork hand_;  // reads the device during touching
   bool touches_ = false;
-  bool opens_ = false;            // the device is to be opened, as soon as the last one was let go
-  std::optional<Vec3> found_at_;  // is to be needled as soon as its case is there
-  QString making_;                // code of the point whose case is made; empty: none
+  bool opens_ = false;            // open the device as soon as the last one is closed
+  std::optional<Vec3> found_at_;  // needle it as soon as its case is ready
+  QString making_;                // code of the point whose case is being created; empty: none
   bool listed_ = false;
 };
 

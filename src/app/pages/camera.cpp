@@ -98,20 +98,20 @@ void CameraPage::start() {
   for (int i = 0; i < files; ++i) settings.setValue(QLatin1String(keys[i]), paths_[i]->text().trimmed());
   failure_.clear();
   scan_failure_.clear();
-  told_.clear();
+  reported_.clear();
   result_.reset();
   latencies_.clear();
-  // A picture is shown when it comes, not at the window's next frame, which may be 33 ms away.
+  // An image is shown on arrival, not at the window's next frame, which may be 33 ms away.
   watch_ = std::make_unique<CameraWatch>(patient_, wanted_files(), path_in(registration), look(), [this] {
     QMetaObject::invokeMethod(
-        this, [this] { take_news(); }, Qt::QueuedConnection);
+        this, [this] { update_camera_status(); }, Qt::QueuedConnection);
   });
   try {
     const station::UltrasoundChoice choice = choice_of_page(*patient_);
     ultrasound_->set_scan(choice);
     const station::LiveScan& scan = *ultrasound_->scan();
     machine_ = std::make_unique<ProbeMachine>(patient_, choice,
-                                              ProbeMachine::Wish{{scan.pose(), scan.settings()}, {}}, true);
+                                              ProbeMachine::Request{{scan.pose(), scan.settings()}, {}}, true);
   } catch (const std::exception& failure) {  // no skin there: without ultrasound
     machine_.reset();
     scan_failure_ = failure.what();
@@ -142,15 +142,15 @@ void CameraPage::record() {
     if (machine_ != nullptr) ultrasound = choice_of_page(*patient_);
     attempt_ = std::make_unique<TrackedAttempt>(patient_, wanted_files(), path_in(registration), ultrasound);
   } catch (const std::exception& failure) {
-    told_ = failure.what();
+    reported_ = failure.what();
   }
   show_buttons();
 }
 
 void CameraPage::follow_attempt() {
   if (attempt_ == nullptr) return;
-  const StationNews& news = attempt_->poll();
-  told_ = TrackedAttempt::sentence(news);
+  const StationUpdate& news = attempt_->poll();
+  reported_ = TrackedAttempt::sentence(news);
   if (!TrackedAttempt::is_over(news)) return;
   result_ = news.result;
   attempt_.reset();
@@ -163,7 +163,7 @@ void CameraPage::stop() {
   machine_.reset();
   scan_.reset();
   if (ultrasound_->scan() != nullptr) ultrasound_->set_scan(std::nullopt);
-  news_ = {};
+  camera_status_ = {};
   table_->setRowCount(0);
   show_buttons();
 }
@@ -235,42 +235,42 @@ void CameraPage::advance(double clock) {
     }
   }
   shown_.clock = clock;
-  take_news();
-  if (watch_ != nullptr && !news_.error.empty()) {
-    failure_ = news_.error;
+  update_camera_status();
+  if (watch_ != nullptr && !camera_status_.error.empty()) {
+    failure_ = camera_status_.error;
     stop();
   }
   follow_attempt();
   show_line();
 }
 
-void CameraPage::take_news() {
+void CameraPage::update_camera_status() {
   if (watch_ == nullptr) return;
-  CameraNews news = watch_->news();
-  const bool is_new = news.number != news_.number;
-  news_ = std::move(news);
-  if (is_new) show_news();
+  CameraStatus status = watch_->status();
+  const bool is_new = status.number != camera_status_.number;
+  camera_status_ = std::move(status);
+  if (is_new) show_camera_status();
 }
 
 void CameraPage::note_latency() {
-  if (watch_ == nullptr || news_.picture == nullptr || picture_->picture() != news_.picture) return;
-  const auto passed = std::chrono::steady_clock::now() - news_.arrived;
+  if (watch_ == nullptr || camera_status_.picture == nullptr || picture_->picture() != camera_status_.picture) return;
+  const auto passed = std::chrono::steady_clock::now() - camera_status_.arrived;
   latencies_.push_back(std::chrono::duration<double>(passed).count());
   if (latencies_.size() > most_latencies) latencies_.pop_front();
 }
 
-void CameraPage::show_news() {
-  picture_->show_picture(news_.picture);
-  picture_->repaint();  // at once: slices and ultrasound take longer, and nobody aims by them
+void CameraPage::show_camera_status() {
+  picture_->show_picture(camera_status_.picture);
+  picture_->repaint();  // at once: slices and ultrasound take longer, and are not used for aiming
   show_bodies();
   Changes changes;
   changes.needle = changes.tissue = true;
-  shown_.has_needle = news_.needle.has_value();
+  shown_.has_needle = camera_status_.needle.has_value();
   shown_.moved_tissue = moved_tissue();
   if (watch_ != nullptr) watch_->set_moved_tissue(shown_.moved_tissue);
-  if (news_.needle) {
-    shown_.needle = shown_.hand = *news_.needle;
-    shown_.crosshair = news_.needle->translation();
+  if (camera_status_.needle) {
+    shown_.needle = shown_.hand = *camera_status_.needle;
+    shown_.crosshair = camera_status_.needle->translation();
     const Vec3 tip =
         shown_.moved_tissue != nullptr ? shown_.moved_tissue->at_rest(shown_.crosshair) : shown_.crosshair;
     shown_.tissue = anatomy::nearest(patient_->patient.tissues, tip, anatomy::tissue::air);
@@ -280,35 +280,36 @@ void CameraPage::show_news() {
   for (SliceView* slice : slices_) slice->show_frame(shown_, changes);
   if (machine_ == nullptr) return;
   const station::LiveScan& scan = *ultrasound_->scan();
-  std::optional<imaging::NeedleInSound> needle;
-  if (news_.needle) needle = imaging::NeedleInSound{*news_.needle, patient_->description().needle};
-  // A probe that is not seen well orders no picture.
-  if (news_.probe) {
-    const station::ScanOrder order{station::probe_in_hand(*news_.probe), scan.settings()};
-    machine_->set({order, needle});
-    if (attempt_ != nullptr) attempt_->set_scan_order(order);
+  std::optional<imaging::NeedleInUltrasound> needle;
+  if (camera_status_.needle)
+    needle = imaging::NeedleInUltrasound{*camera_status_.needle, patient_->description().needle};
+  // A badly visible probe requests no image.
+  if (camera_status_.probe) {
+    const station::ScanSetup setup{station::probe_in_hand(*camera_status_.probe), scan.settings()};
+    machine_->set({setup, needle});
+    if (attempt_ != nullptr) attempt_->set_scan_setup(setup);
   }
-  scan_ = news_.probe ? machine_->picture() : nullptr;
-  ct_->show_picture(news_.probe ? machine_->ct() : nullptr);
+  scan_ = camera_status_.probe ? machine_->picture() : nullptr;
+  ct_->show_picture(camera_status_.probe ? machine_->ct() : nullptr);
   shown_.ultrasound = scan_.get();
   ultrasound_->show_frame(shown_, changes);
-  if (const std::string trouble = machine_->take_trouble(); !trouble.empty()) ultrasound_->say(trouble);
+  if (const std::string trouble = machine_->take_trouble(); !trouble.empty()) ultrasound_->show_message(trouble);
   shown_.ultrasound = nullptr;
 }
 
-// By the probe, and by the needle of a session.
-std::shared_ptr<const imaging::MovedTissue> CameraPage::moved_tissue() const {
-  std::shared_ptr<const imaging::MovedTissue> pressed, pushed;
-  if (machine_ != nullptr && news_.probe) pressed = machine_->moved_tissue();
+// Placed by the probe, and by the needle of a session.
+std::shared_ptr<const imaging::TissueDisplacement> CameraPage::moved_tissue() const {
+  std::shared_ptr<const imaging::TissueDisplacement> pressed, pushed;
+  if (machine_ != nullptr && camera_status_.probe) pressed = machine_->moved_tissue();
   if (attempt_ != nullptr) pushed = attempt_->moved_tissue();
   if (pressed == nullptr || pushed == nullptr) return pressed != nullptr ? pressed : pushed;
-  return std::make_shared<const imaging::MovedTissue>(pressed->plus(*pushed));
+  return std::make_shared<const imaging::TissueDisplacement>(pressed->plus(*pushed));
 }
 
 void CameraPage::show_bodies() {
-  table_->setRowCount(static_cast<int>(news_.bodies.size()));
+  table_->setRowCount(static_cast<int>(camera_status_.bodies.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const BodyNews& body = news_.bodies[static_cast<std::size_t>(row)];
+    const BodyDetection& body = camera_status_.bodies[static_cast<std::size_t>(row)];
     const bool lost = body.status == tracking::TrackingStatus::lost;
     const QString dash = QStringLiteral("–");
     const std::string status(tracking::name_of(body.status));
@@ -335,36 +336,38 @@ void CameraPage::show_line() {
   QString words;
   bool trouble = false;
   const auto with_tip = [this](const QString& other) {
-    if (news_.tip.empty()) return other;
-    return (news_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1.")).arg(in_words(news_.tip)) +
+    if (camera_status_.tip.empty()) return other;
+    return (camera_status_.tip_on_bone ? tr("Tip on bone: %1.") : tr("Tip in: %1."))
+               .arg(in_words(camera_status_.tip)) +
            QStringLiteral(" ") + other;
   };
   if (demo_ != nullptr) {
-    words = tr("Rendering a mannequin, a needle and a probe before a camera: %1 %")
+    words = tr("Rendering a mannequin, a needle and a probe in front of a camera: %1 %")
                 .arg(100.0 * demo_->status().fraction, 0, 'f', 0);
   } else if (!failure_.empty()) {
     words = in_words(failure_);
     trouble = true;
   } else if (watch_ == nullptr) {
-    words = tr("Choose a camera (/dev/video0), a video or a folder of pictures; or let a demonstration be rendered.");
-  } else if (!news_.note.empty()) {
-    words = with_tip(in_words(news_.note));
+    words = tr("Choose a camera (/dev/video0), a video or a folder of pictures, or press Demonstration.");
+  } else if (!camera_status_.note.empty()) {
+    words = with_tip(in_words(camera_status_.note));
     trouble = true;
-  } else if (!told_.empty()) {
-    words = in_words(told_);
-  } else if (news_.number == 0) {
+  } else if (!reported_.empty()) {
+    words = in_words(reported_);
+  } else if (camera_status_.number == 0) {
     words = tr("Opening the pictures and preparing the patient.");
   } else {
-    words = with_tip(tr("%1 pictures/s, each shown %2 ms after it came.")
-                         .arg(news_.rate, 0, 'f', 0)
+    words = with_tip(tr("%1 pictures/s, each shown %2 ms after it arrived.")
+                         .arg(camera_status_.rate, 0, 'f', 0)
                          .arg(latencies_.empty() ? 0.0 : 1000.0 * latencies_.back(), 0, 'f', 0));
     if (!scan_failure_.empty())
       words += QStringLiteral(" ") + tr("Without ultrasound: %1").arg(in_words(scan_failure_));
-    trouble = news_.tip_on_bone;
+    trouble = camera_status_.tip_on_bone;
   }
   if (watch_ != nullptr && failure_.empty()) {
-    if (news_.large_oval) words += QStringLiteral(" ") + tr("Large oval: drawn at half the resolution.");
-    if (!news_.source_note.empty()) words += QStringLiteral(" ") + in_words(news_.source_note) + QLatin1Char('.');
+    if (camera_status_.large_oval) words += QStringLiteral(" ") + tr("Large oval: drawn at half the resolution.");
+    if (!camera_status_.source_note.empty())
+      words += QStringLiteral(" ") + in_words(camera_status_.source_note) + QLatin1Char('.');
   }
   if (line_->text() != words) line_->setText(words);
   line_->setStyleSheet(trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());

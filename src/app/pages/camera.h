@@ -28,12 +28,12 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Augmented reality: a camera's picture with the patient drawn into the mannequin, how well each body is seen, and
-// what the tracked needle and probe make of it: slices at the tip and the ultrasound of where the dummy probe points.
+// Augmented reality: a camera image with the patient drawn into the mannequin, the detection quality of each body,
+// slices at the tracked needle's tip, and the ultrasound image of the dummy probe.
 class CameraPage : public Page {
   Q_OBJECT
  public:
-  // `folder`: where rendered footage is kept for those who have no camera.
+  // `folder`: of rendered footage for users without a camera.
   explicit CameraPage(const std::filesystem::path& folder, QWidget* parent = nullptr);
   ~CameraPage() override;
 
@@ -43,21 +43,21 @@ class CameraPage : public Page {
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
 
-  // The pictures of this source from now on.
+  // Starts the images of this source.
   void start();
   void stop();
-  // A session with the tracked needle begins, or ends and is saved and judged.
+  // Starts a session with the tracked needle, or ends it; it is then saved and judged.
   void record();
   bool is_recording() const { return attempt_ != nullptr; }
-  // Of the last session that was saved; empty: none.
+  // Of the last saved session; empty: none.
   const std::optional<AttemptResult>& result() const { return result_; }
-  // Of the newest picture.
-  const CameraNews& news() const { return news_; }
+  // Of the newest image.
+  const CameraStatus& camera_status() const { return camera_status_; }
   const Frame& frame() const { return shown_; }
-  // s from a picture's arrival, still to be decoded, until it was painted; of the last thousand since start().
+  // s from an image's arrival, before decoding, until painting; of the last thousand since start().
   const std::deque<double>& latencies() const { return latencies_; }
   void forget_latencies() { latencies_.clear(); }
-  // Pictures of this folder, video or camera from now on, with the files that lie beside them.
+  // Switches to the images of this folder, video or camera, with the files beside them.
   void show_source(const std::filesystem::path& source);
 
  private:
@@ -72,9 +72,9 @@ class CameraPage : public Page {
   void use_source(const QString& source);
   tracking::AugmentedLook look() const;
   void send_look();
-  std::shared_ptr<const imaging::MovedTissue> moved_tissue() const;
-  void take_news();
-  void show_news();
+  std::shared_ptr<const imaging::TissueDisplacement> moved_tissue() const;
+  void update_camera_status();
+  void show_camera_status();
   void note_latency();
   void show_bodies();
   void show_line();
@@ -86,16 +86,16 @@ class CameraPage : public Page {
   std::filesystem::path folder_;
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<CameraWatch> watch_;
-  std::unique_ptr<DemoFootage> demo_;  // being rendered
+  std::unique_ptr<DemoFootage> demo_;  // during rendering
   std::unique_ptr<ProbeMachine> machine_;
-  std::shared_ptr<const station::LivePicture> scan_;
-  std::unique_ptr<TrackedAttempt> attempt_;  // being recorded
-  std::string told_;                         // of the attempt that runs, or was the last
+  std::shared_ptr<const station::LiveImage> scan_;
+  std::unique_ptr<TrackedAttempt> attempt_;  // during recording
+  std::string reported_;                     // last message of the present or last attempt
   std::optional<AttemptResult> result_;
-  CameraNews news_;
+  CameraStatus camera_status_;
   std::deque<double> latencies_;
   Frame shown_;
-  std::string failure_;       // why the last source came to nothing
+  std::string failure_;       // why the last source failed
   std::string scan_failure_;  // why there is no ultrasound
   CameraPicture* picture_;
   CameraPicture* ct_ = nullptr;  // in the plane of the tracked probe

@@ -1,4 +1,4 @@
-// Where the widgets of the page for augmented reality stand, and what they are connected with.
+// Layout and connections of the widgets of the page for augmented reality.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -130,11 +130,12 @@ QWidget* CameraPage::make_panel() {
   form->setColumnStretch(1, 1);
   auto* buttons = new QHBoxLayout;
   start_ = button("camera.start", tr("Start"), tr("Show the pictures (Space)"));
-  pause_ = button("camera.pause", tr("Pause"), tr("Keep this picture, go on (Space)"));
+  pause_ = button("camera.pause", tr("Pause"), tr("Hold this picture, or continue (Space)"));
   pause_->setCheckable(true);
-  render_ = button("camera.demo", tr("Demonstration"), tr("Without a camera: pictures that are rendered once"));
-  record_ = button("camera.record", tr("Record"),
-                   tr("A session with the tracked needle: recorded, judged and kept; again: it ends (R)"));
+  render_ = button("camera.demo", tr("Demonstration"), tr("Needs no camera: its pictures are rendered once"));
+  record_ =
+      button("camera.record", tr("Record"),
+             tr("Record a session with the tracked needle, which is judged and kept; press again to end it (R)"));
   review_ = button("camera.review", tr("Review"), tr("See the session again, moment by moment"));
   connect(record_, &QPushButton::clicked, this, &CameraPage::record);
   connect(review_, &QPushButton::clicked, this, [this] {
@@ -149,10 +150,10 @@ QWidget* CameraPage::make_panel() {
 
   auto* side = new QVBoxLayout;
   side->setSpacing(camera_gap);
-  table_ =
-      named(new QTableWidget(0, body_columns), "camera.bodies.table", tr("How well each body is seen"),
-            tr("mm: standard deviation of its tip. Misfit: what is left of the markers' contrast; edges: that at "
-               "their edges over that on flat parts, large when motion, lens or folding do not fit"));
+  table_ = named(new QTableWidget(0, body_columns), "camera.bodies.table", tr("How well each body is seen"),
+                 tr("mm: standard deviation of its tip. Misfit: the part of the markers' contrast that is left over. "
+                    "Edges: misfit at the markers' edges divided by that on flat parts, large when motion, lens or "
+                    "folding do not fit"));
   table_->setHorizontalHeaderLabels({tr("Body"), tr("Seen"), tr("mm"), tr("Misfit"), tr("Edges"), tr("Markers")});
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(camera_row);

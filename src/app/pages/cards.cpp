@@ -63,7 +63,7 @@ void Card::write(QLabel* label, const QString& text) {
   if (label->text() == text && label->isHidden() == text.isEmpty()) return;
   label->setText(text);
   label->setVisible(!text.isEmpty());
-  rows_->invalidate();  // else the height of a label that has gone stays as an empty line
+  rows_->invalidate();  // otherwise the height of a removed label remains as an empty line
 }
 
 QPushButton* Card::add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip,
@@ -97,7 +97,7 @@ PreparingCard::PreparingCard(QWidget* parent) : Card("preparing", parent) {
 }
 
 void PreparingCard::show_progress(const QString& what, double fraction, double seconds) {
-  // Of a step that has hardly begun nobody knows how long it takes.
+  // The duration of a step that has hardly begun cannot be estimated.
   constexpr double known_from = 0.1, worth_telling = 1.0;  // of the step; s
   if (what != what_->text() || seconds < step_began_) step_began_ = seconds;
   what_->setText(what);
@@ -115,14 +115,14 @@ PauseCard::PauseCard(QWidget* parent) : Card("pause", parent) {
   reason_ = add_label("second");
   reason_->setObjectName(QStringLiteral("pause.reason"));
   auto* row = new QHBoxLayout;
-  resume_ = add_button(row, "pause.resume", tr("Resume"), tr("Go on where you were (Esc)"), true);
+  resume_ = add_button(row, "pause.resume", tr("Resume"), tr("Continue where you were (Esc)"), true);
   connect(resume_, &QPushButton::clicked, this, &PauseCard::resume_requested);
   mouse_ = add_button(row, "pause.mouse", tr("With the mouse"),
                       tr("Save this attempt and begin another one with the mouse"), false);
   connect(mouse_, &QPushButton::clicked, this, &PauseCard::mouse_requested);
   connect(add_button(row, "pause.again", tr("Again"), tr("Save this attempt and begin another one"), false),
           &QPushButton::clicked, this, &PauseCard::again_requested);
-  connect(add_button(row, "pause.end", tr("End"), tr("Save this attempt and see how it went"), false),
+  connect(add_button(row, "pause.end", tr("End"), tr("Save this attempt and see the result"), false),
           &QPushButton::clicked, this, &PauseCard::end_requested);
   connect(add_button(row, "pause.leave", tr("Leave"), tr("Save this attempt and go back to the start"), false),
           &QPushButton::clicked, this, &PauseCard::leave_requested);
@@ -131,7 +131,7 @@ PauseCard::PauseCard(QWidget* parent) : Card("pause", parent) {
 
 void PauseCard::show_reason(State state, const QString& reason) {
   title_->setText(state == State::faulted       ? tr("The guard took the force away")
-                  : state == State::device_lost ? tr("The device went away")
+                  : state == State::device_lost ? tr("The device was disconnected")
                                                 : tr("Paused"));
   reason_->setText(state == State::paused ? tr("The needle stays where it is.") : reason);
   const bool lost = state == State::device_lost;
@@ -189,7 +189,8 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
   connect(add_button(row, "results.leave", tr("To the start"), tr("Choose another patient"), false),
           &QPushButton::clicked, this, &ResultsCard::leave_requested);
   connect(add_button(row, "results.look", tr("See where"),
-                     tr("The card away: the needle and the planned point in the views (Esc brings it back)"), false),
+                     tr("Hide this card and show the needle and the planned point in the views (Esc brings it back)"),
+                     false),
           &QPushButton::clicked, this, &ResultsCard::look_requested);
   review_ =
       add_button(row, "results.review", tr("Review this"), tr("See the attempt again, moment by moment"), false);
@@ -200,7 +201,7 @@ ResultsCard::ResultsCard(QWidget* parent) : Card("results", parent) {
 }
 
 void ResultsCard::show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure) {
-  // With a verdict they are among the reasons.
+  // With a verdict they are listed among the reasons.
   const bool has_verdict = result != nullptr && result->verdict;
   write(dangers_, has_verdict ? QString() : dangers.join(QLatin1Char('\n')));
   review_->setEnabled(result != nullptr);

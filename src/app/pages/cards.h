@@ -24,14 +24,14 @@ using namespace views;
 class Card : public QWidget {
   Q_OBJECT
  public:
-  // `width` of the sheet, pixels.
+  // `width` in pixels.
   Card(const char* name, QWidget* parent, int width = 520);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   QVBoxLayout* rows() { return rows_; }
   QLabel* add_label(const char* role);
-  // A label without words takes no room.
+  // An empty label takes no space.
   void write(QLabel* label, const QString& text);
   QPushButton* add_button(QHBoxLayout* row, const char* name, const QString& text, const QString& tip, bool primary);
 
@@ -40,13 +40,13 @@ class Card : public QWidget {
   QVBoxLayout* rows_;
 };
 
-// What is being prepared, how far it is, and a way out.
+// The present preparation step, its progress, and a button to cancel.
 class PreparingCard : public Card {
   Q_OBJECT
  public:
   explicit PreparingCard(QWidget* parent);
-  // The step `what`, of which `fraction` (0 to 1) is done, `seconds` after the preparation began. From the step's own
-  // pace follows how long it still takes.
+  // The step `what`, `fraction` (0 to 1) complete, `seconds` after the beginning of the preparation. The remaining
+  // time is estimated from the step's own pace.
   void show_progress(const QString& what, double fraction, double seconds);
 
  signals:
@@ -59,7 +59,7 @@ class PreparingCard : public Card {
   double step_began_ = 0.0;  // s
 };
 
-// Resume, Again, End, Leave; also after a fault and where the device has gone.
+// Resume, Again, End, Leave; also after a fault and after a device is lost.
 class PauseCard : public Card {
   Q_OBJECT
  public:
@@ -68,8 +68,8 @@ class PauseCard : public Card {
   void show_reason(State state, const QString& reason);
 
  signals:
-  void resume_requested();  // of a device that went away: try it again
-  void mouse_requested();   // go on with the mouse
+  void resume_requested();  // if a device was lost: reconnect
+  void mouse_requested();   // continue with the mouse
   void again_requested();
   void end_requested();
   void leave_requested();
@@ -81,21 +81,21 @@ class PauseCard : public Card {
   QPushButton* mouse_;
 };
 
-// How it went.
+// The result of an attempt.
 class ResultsCard : public Card {
   Q_OBJECT
  public:
   explicit ResultsCard(QWidget* parent);
-  // `result`: null while it is being saved. `dangers`: one sentence each, the worst first. `failure`: why it could
-  // not be saved, or why it ended; empty: nothing is wrong.
+  // `result`: null while saving. `dangers`: one sentence each, the worst first. `failure`: why saving failed, or why
+  // the attempt ended; empty: no failure.
   void show_result(const AttemptResult* result, const QStringList& dangers, const QString& failure);
-  // How far a training plan is, and what the button for another attempt says; both empty: no plan is followed.
+  // The progress of a training plan, and the text of the button for another attempt; both empty: no plan.
   void show_plan(const QString& standing, const QString& next);
 
  signals:
   void again_requested();
   void review_requested();
-  void look_requested();  // at the views under the card
+  void look_requested();  // show the views under the card
   void leave_requested();
 
  private:
@@ -113,13 +113,13 @@ class ResultsCard : public Card {
   QPushButton* again_;
 };
 
-// Which Bodkin this is, under which licence, and which libraries and system it runs with.
+// Version, licence, libraries and system of this Bodkin.
 class AboutCard : public Card {
   Q_OBJECT
  public:
   explicit AboutCard(QWidget* parent);
 
-  // Name and version of Bodkin, its libraries, compiler and system, in the order in which they are shown.
+  // Name and version of Bodkin, its libraries, compiler and system, in display order.
   static std::vector<std::pair<QString, QString>> versions();
 
  signals:

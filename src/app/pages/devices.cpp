@@ -36,7 +36,7 @@ QColor lamp_colour(DeviceRow::Lamp lamp) {
   return {};
 }
 
-// Filled where the device is there, a ring where it is not: the shape says it too.
+// Filled if the device is present, a ring if not: visible by shape too.
 QIcon lamp_icon(DeviceRow::Lamp lamp) {
   QPixmap picture(14, 14);
   picture.fill(Qt::transparent);
@@ -100,7 +100,7 @@ QWidget* DevicesPage::make_side() {
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("devices.list"));
   list_->setAccessibleName(tr("Devices"));
-  list_->setToolTip(tr("What can hold the needle; a filled lamp: it is there"));
+  list_->setToolTip(tr("Devices that can hold the needle; a filled lamp means that one is connected"));
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setStyleSheet(
@@ -127,7 +127,7 @@ QWidget* DevicesPage::make_detail() {
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
-  use_ = button(tr("Use for practising"), "devices.use", tr("The attempts that follow are made with it"));
+  use_ = button(tr("Use for practising"), "devices.use", tr("Use this device for the following attempts"));
   use_->setProperty("role", QStringLiteral("primary"));
   connect(use_, &QPushButton::clicked, this, [this] {
     if (const DeviceRow* const row = selected())
@@ -153,7 +153,7 @@ QWidget* DevicesPage::make_detail() {
   auto* course = new QHBoxLayout;
   go_on_ = button(tr("Begin this step"), "devices.go_on", tr("Begin the step, or end its motions early"));
   connect(go_on_, &QPushButton::clicked, this, [this] { work_.go_on(); });
-  cancel_ = button(tr("Cancel"), "devices.cancel", tr("Let the device go; nothing of this is kept"));
+  cancel_ = button(tr("Cancel"), "devices.cancel", tr("Release the device; nothing is saved"));
   connect(cancel_, &QPushButton::clicked, this, [this] { work_.cancel(); });
   course->addWidget(go_on_);
   course->addWidget(cancel_);
@@ -203,8 +203,8 @@ void DevicesPage::show_rows() {
     if (full_name(row) == used_ && row.can_open()) text += tr(", used for practising");
     auto* item = new QListWidgetItem(lamp_icon(row.lamp), text, list_);
     item->setToolTip(in_words(row.sentence));
-    // The list's own height of an item forgets the padding of the style sheet, by which a long name needs a line
-    // more.
+    // The list's own height of an item ignores the padding of the style sheet, which makes a long name need another
+    // line.
     const QRect words = list_->fontMetrics().boundingRect(QRect(0, 0, item_text_width, 1000), Qt::TextWordWrap, text);
     item->setSizeHint(QSize(item_text_width, words.height() + 4 * item_padding));
   }
@@ -220,14 +220,14 @@ void DevicesPage::show_row() {
   title_->setText(in_words(row->title));
   state_->setText(in_words(row->state));
   state_->setStyleSheet(QStringLiteral("color: %1;").arg(lamp_colour(row->lamp).name()));
-  sentence_->setText(row->is_mouse() ? tr("It needs nothing: the wheel pushes the needle, and what the needle meets "
-                                          "is seen as the way that the hand runs ahead of it.")
+  sentence_->setText(row->is_mouse() ? tr("It needs no setup: the wheel pushes the needle, and the resistance is "
+                                          "shown as the distance by which the hand is ahead of the needle.")
                                      : in_words(row->sentence));
   sentence_->setVisible(!sentence_->text().isEmpty());
   use_->setEnabled(row->can_open() && full_name(*row) != used_);
   use_->setText(row->can_open() && full_name(*row) == used_ ? tr("Used for practising") : tr("Use for practising"));
   show_profile();
-  show_news();
+  show_status();
 }
 
 void DevicesPage::show_profile() {
@@ -255,7 +255,7 @@ void DevicesPage::begin(bool calibration) {
   } catch (const std::exception& error) {
     verdict_->setText(in_words(error.what()));
   }
-  show_news();
+  show_status();
 }
 
 void DevicesPage::advance(double /*clock*/) {
@@ -263,53 +263,54 @@ void DevicesPage::advance(double /*clock*/) {
     version_ = finder_.version();
     show_rows();
   }
-  const bool busy = work_.news().is_busy;
-  if (busy || was_busy_) show_news();
+  const bool busy = work_.status().is_busy;
+  if (busy || was_busy_) show_status();
   if (was_busy_ && !busy) show_profile();
   was_busy_ = busy;
 }
 
-void DevicesPage::show_news() {
-  const DeviceWork::News news = work_.news();
+void DevicesPage::show_status() {
+  const DeviceWork::Status status = work_.status();
   const DeviceRow* const row = selected();
   const bool here = worked_on_ >= 0 && worked_on_ == list_->currentRow();
-  const bool can_work = row != nullptr && row->can_open() && !row->is_mouse() && !news.is_busy;
+  const bool can_work = row != nullptr && row->can_open() && !row->is_mouse() && !status.is_busy;
   check_->setEnabled(can_work);
   calibrate_->setEnabled(can_work);
-  const bool runs = here && news.is_busy, calibrates = runs && news.task == DeviceWork::Task::calibrate;
+  const bool runs = here && status.is_busy, calibrates = runs && status.task == DeviceWork::Task::calibrate;
   bar_->setVisible(runs);
   cancel_->setVisible(runs);
-  go_on_->setVisible(calibrates && !news.steps.empty());
-  go_on_->setText(news.stage.empty() ? tr("Begin this step") : tr("Enough"));
-  bar_->setValue(static_cast<int>(std::lround(1000.0 * news.fraction)));
+  go_on_->setVisible(calibrates && !status.steps.empty());
+  go_on_->setText(status.stage.empty() ? tr("Begin this step") : tr("Enough"));
+  bar_->setValue(static_cast<int>(std::lround(1000.0 * status.fraction)));
   picture_->setVisible(row != nullptr && !row->is_mouse());
-  picture_->show_hand(here ? news.abilities : haptics::DeviceAbilities{},
-                      runs && news.is_open ? std::optional<Pose>(news.hand) : std::nullopt, runs ? news.force : 0.0);
+  picture_->show_hand(here ? status.abilities : haptics::DeviceAbilities{},
+                      runs && status.is_open ? std::optional<Pose>(status.hand) : std::nullopt,
+                      runs ? status.force : 0.0);
   task_->setVisible(runs);
-  steps_->setVisible(calibrates && !news.steps.empty());
-  if (calibrates && news.step < news.steps.size()) {
+  steps_->setVisible(calibrates && !status.steps.empty());
+  if (calibrates && status.step < status.steps.size()) {
     QStringList names;
-    for (std::size_t i = 0; i < news.steps.size(); ++i) {
-      const std::string_view name = station::name_of(news.steps[i]);
+    for (std::size_t i = 0; i < status.steps.size(); ++i) {
+      const std::string_view name = station::name_of(status.steps[i]);
       const QString text = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
-      names << (i == news.step ? QStringLiteral("<b style='color:%1'>%2</b>").arg(Theme::now().accent.name(), text)
-                               : (i < news.step ? text + tr(" (done)") : text));
+      names << (i == status.step ? QStringLiteral("<b style='color:%1'>%2</b>").arg(Theme::now().accent.name(), text)
+                                 : (i < status.step ? text + tr(" (done)") : text));
     }
-    steps_->setText(tr("Step %1 of %2: ").arg(news.step + 1).arg(news.steps.size()) +
+    steps_->setText(tr("Step %1 of %2: ").arg(status.step + 1).arg(status.steps.size()) +
                     names.join(QStringLiteral("  &middot;  ")));
-    const std::string_view task = station::task_of(news.steps[news.step]);
+    const std::string_view task = station::task_of(status.steps[status.step]);
     task_->setText(QString::fromUtf8(task.data(), static_cast<int>(task.size())));
   } else {
-    task_->setText(in_words(news.stage));
+    task_->setText(in_words(status.stage));
   }
-  const bool over = here && !news.is_busy && (!news.verdict.empty() || !news.trouble.empty());
+  const bool over = here && !status.is_busy && (!status.verdict.empty() || !status.trouble.empty());
   verdict_->setVisible(over || !verdict_->text().isEmpty());
   if (!here) return verdict_->clear();
   if (!over) return;
-  verdict_->setText(in_words(news.trouble.empty() ? news.verdict : news.trouble));
+  verdict_->setText(in_words(status.trouble.empty() ? status.verdict : status.trouble));
   verdict_->setStyleSheet(
       QStringLiteral("color: %1;")
-          .arg((news.trouble.empty() && news.went_well ? Theme::now().good : Theme::now().caution).name()));
+          .arg((status.trouble.empty() && status.went_well ? Theme::now().good : Theme::now().caution).name()));
 }
 
 }  // namespace bodkin::app

@@ -21,8 +21,8 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The devices that can hold the needle: which are there, what is missing of the others, a check without force, the
-// calibration step by step, and which one is used for practising.
+// The devices that can hold the needle: which are available, what the others lack, a check without force,
+// step-by-step calibration, and the choice of the device for practice.
 class DevicesPage : public Page {
   Q_OBJECT
  public:
@@ -33,7 +33,7 @@ class DevicesPage : public Page {
   void leave() override;
   void advance(double clock) override;
 
-  // The device that practises now, as Practice has it: "driver:identity"; empty: the mouse.
+  // The device in use, as Practice names it: "driver:identity"; empty: the mouse.
   void set_used(const QString& device);
   void look_for_devices();
   void select(int row);
@@ -51,7 +51,7 @@ class DevicesPage : public Page {
   QPushButton* button(const QString& text, const char* name, const QString& tip);
   void show_rows();
   void show_row();
-  void show_news();
+  void show_status();
   void show_profile();
   void begin(bool calibration);
   const DeviceRow* selected() const;

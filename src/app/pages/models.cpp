@@ -41,7 +41,7 @@ void ModelsPage::set_case(std::shared_ptr<const OpenCase> patient) {
   patient_ = std::move(patient);
   profile_.reset();
   model_.reset();
-  is_felt_ = true;
+  is_applied_ = true;
   now_.reset();
   reference_.reset();
   chart_->set_case(patient_);
@@ -55,7 +55,7 @@ void ModelsPage::enter() {
   step_ = 0;
   const bool was_kept = take_model_draft(*model_, patient_->folder);
   show_steps();
-  say(was_kept ? tr("What was changed the last time is here again; Ctrl+Z takes it back.") : QString(), false);
+  show_message(was_kept ? tr("Your changes of the last time are restored; Ctrl+Z undoes them.") : QString(), false);
 }
 
 void ModelsPage::leave() {
@@ -63,7 +63,7 @@ void ModelsPage::leave() {
   try {
     keep_model_draft(*model_, patient_->folder);
   } catch (const SystemError& error) {
-    say(in_words(error.what()), true);
+    show_message(in_words(error.what()), true);
   }
 }
 
@@ -99,7 +99,7 @@ void ModelsPage::go(int step) {
 
 void ModelsPage::show_step() {
   const auto count = static_cast<int>(model_->steps().size());
-  if (count == 0) return say(tr("This model has no numbers."), false);
+  if (count == 0) return show_message(tr("This model has no settings."), false);
   is_shown_ = true;
   const SettingStep& step = model_->steps()[static_cast<std::size_t>(step_)];
   const double now = model_->value(static_cast<std::size_t>(step_));
@@ -151,38 +151,38 @@ void ModelsPage::show_curve() {
 void ModelsPage::change(double value, bool continues) {
   if (model_ == nullptr || model_->steps().empty()) return;
   const std::string refusal = model_->set(static_cast<std::size_t>(step_), value, continues);
-  say(in_words(refusal), true);
+  show_message(in_words(refusal), true);
   show_step();
   show_curve();
-  if (refusal.empty()) feel();
+  if (refusal.empty()) apply_settings();
 }
 
-void ModelsPage::feel() {
-  is_felt_ = feel_(model_->now());
-  show_felt();
+void ModelsPage::apply_settings() {
+  is_applied_ = apply_(model_->now());
+  show_applied();
 }
 
-void ModelsPage::show_felt() {
+void ModelsPage::show_applied() {
   const Frame& frame = frame_();
   felt_->setVisible(is_attempt(frame.state));
-  if (!is_felt_) {
-    felt_->setText(tr("This is felt from the next attempt on."));
+  if (!is_applied_) {
+    felt_->setText(tr("This takes effect from the next attempt on."));
   } else if (frame.entry) {
-    felt_->setText(tr("The needle feels it at once: now %1 N along it, %2 mm deep.")
+    felt_->setText(tr("This takes effect at once: now %1 N along the needle, %2 mm deep.")
                        .arg(frame.resistance, 0, 'f', 2)
                        .arg(frame.depth, 0, 'f', 1));
   } else {
-    felt_->setText(tr("The needle feels it at once; it is outside now."));
+    felt_->setText(tr("This takes effect at once; the needle is outside the body now."));
   }
 }
 
-void ModelsPage::say(const QString& sentence, bool is_trouble) {
+void ModelsPage::show_message(const QString& sentence, bool is_trouble) {
   line_->setText(sentence);
   line_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().caution.name()) : QString());
 }
 
 void ModelsPage::advance(double /*clock*/) {
-  show_felt();
+  show_applied();
   if (profile_ == nullptr) return;
   if (const std::optional<double> preparation = profile_->preparation()) {
     figures_->setText(tr("Preparing the deformable body for the curve: %1 %").arg(100.0 * *preparation, 0, 'f', 0));
@@ -190,10 +190,10 @@ void ModelsPage::advance(double /*clock*/) {
   std::shared_ptr<const ForceCurve> curve = profile_->curve();
   if (curve == nullptr || curve == now_) return;
   now_ = std::move(curve);
-  if (reference_ == nullptr) reference_ = now_;  // the first one is that of the patient as he came
+  if (reference_ == nullptr) reference_ = now_;  // the first one is the patient's original model
   chart_->show_curves(now_, reference_);
   const auto give = [](const ForceCurve& of) {
-    return of.first_give ? tr("first give %1 N, ").arg(*of.first_give, 0, 'f', 2) : QString();
+    return of.first_puncture_force ? tr("first puncture %1 N, ").arg(*of.first_puncture_force, 0, 'f', 2) : QString();
   };
   figures_->setText(now_->trouble.empty() ? tr("%1strongest %2 N   (was: %3strongest %4 N)")
                                                 .arg(give(*now_))
@@ -201,7 +201,7 @@ void ModelsPage::advance(double /*clock*/) {
                                                 .arg(give(*reference_))
                                                 .arg(reference_->strongest, 0, 'f', 2)
                                           : QString());
-  if (!now_->trouble.empty()) say(in_words(now_->trouble), true);
+  if (!now_->trouble.empty()) show_message(in_words(now_->trouble), true);
 }
 
 bool ModelsPage::press(const QKeySequence& keys) {
@@ -226,20 +226,20 @@ bool ModelsPage::press(const QKeySequence& keys) {
 void ModelsPage::load(const QString& file) {
   try {
     model_->load(file.toStdString());
-    say(tr("Loaded %1").arg(file), false);
+    show_message(tr("Loaded %1").arg(file), false);
     show_steps();
-    feel();
+    apply_settings();
   } catch (const std::exception& error) {
-    say(in_words(error.what()), true);
+    show_message(in_words(error.what()), true);
   }
 }
 
 void ModelsPage::save(const QString& file) {
   try {
     model_->save(file.toStdString());
-    say(tr("Saved as %1").arg(file), false);
+    show_message(tr("Saved as %1").arg(file), false);
   } catch (const std::exception& error) {
-    say(in_words(error.what()), true);
+    show_message(in_words(error.what()), true);
   }
 }
 

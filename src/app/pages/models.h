@@ -22,13 +22,13 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The settings of the force model, one number a step, with the force along the planned path as it is now against as
-// it was. What is set here is what the next attempts feel, once the person says so.
+// The settings of the force model, one number per step, with the new and the old force along the planned path. The
+// settings apply to the following attempts after the user confirms them.
 class ModelsPage : public Page {
   Q_OBJECT
  public:
-  // `frame`: the newest one of the practice; `feel`: the attempt that runs has these settings from now on, if it can.
-  ModelsPage(std::function<const Frame&()> frame, std::function<bool(const ModelSettings&)> feel,
+  // `frame`: the newest frame of the practice; `apply`: applies settings to the running attempt, if possible.
+  ModelsPage(std::function<const Frame&()> frame, std::function<bool(const ModelSettings&)> apply,
              QWidget* parent = nullptr);
 
   void set_case(std::shared_ptr<const OpenCase> patient) override;
@@ -43,7 +43,7 @@ class ModelsPage : public Page {
   void save(const QString& file);
 
  signals:
-  // These settings are felt from now on.
+  // These settings apply from now on.
   void settings_chosen(const bodkin::app::ModelSettings& settings);
 
  private:
@@ -57,21 +57,21 @@ class ModelsPage : public Page {
   void show_steps();
   void show_step();
   void show_curve();
-  void feel();
-  void show_felt();
+  void apply_settings();
+  void show_applied();
   void go(int step);
   void change(double value, bool continues);
-  void say(const QString& sentence, bool is_trouble);
+  void show_message(const QString& sentence, bool is_trouble);
 
   std::function<const Frame&()> frame_;
-  std::function<bool(const ModelSettings&)> feel_;
-  bool is_felt_ = true;  // by the attempt that runs, if there is one
+  std::function<bool(const ModelSettings&)> apply_;
+  bool is_applied_ = true;  // the running attempt, if any, has them
   std::shared_ptr<const OpenCase> patient_;
   std::unique_ptr<ParameterModel> model_;
   std::unique_ptr<LiveProfile> profile_;
   std::shared_ptr<const ForceCurve> now_, reference_;
   int step_ = 0;
-  bool is_shown_ = false;     // widgets take values from the model, not the other way round
+  bool is_shown_ = false;     // widgets are being set from the model, not the other way round
   bool is_dragging_ = false;  // of the slider, after its first change
   QListWidget* list_;
   QComboBox* models_;

@@ -31,9 +31,9 @@ QLabel* step_label(const char* name, const char* role) {
 
 }  // namespace
 
-ModelsPage::ModelsPage(std::function<const Frame&()> frame, std::function<bool(const ModelSettings&)> feel,
+ModelsPage::ModelsPage(std::function<const Frame&()> frame, std::function<bool(const ModelSettings&)> apply,
                        QWidget* parent)
-    : Page(PageId::models, KeyScope::models, true, parent), frame_(std::move(frame)), feel_(std::move(feel)) {
+    : Page(PageId::models, KeyScope::models, true, parent), frame_(std::move(frame)), apply_(std::move(apply)) {
   setFocusPolicy(Qt::StrongFocus);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(0, 0, 0, 0);
@@ -87,20 +87,20 @@ QWidget* ModelsPage::make_side() {
   models_ = new QComboBox;
   models_->setObjectName(QStringLiteral("models.model"));
   models_->setAccessibleName(tr("Force model"));
-  models_->setToolTip(tr("Another model of the force along the needle, with its own steps"));
+  models_->setToolTip(tr("Choose another model of the force along the needle, with its own steps"));
   models_->setFocusPolicy(Qt::NoFocus);
   connect(models_, qOverload<int>(&QComboBox::activated), this, [this] {
     if (model_ == nullptr) return;
     model_->choose_model(models_->currentData().toString().toStdString());
     step_ = 0;
     show_steps();
-    feel();
+    apply_settings();
   });
   rows->addWidget(models_);
-  all_ = new QCheckBox(tr("All numbers, not only the eleven"));
+  all_ = new QCheckBox(tr("All values, not only the eleven main ones"));
   all_->setObjectName(QStringLiteral("models.all"));
   all_->setAccessibleName(all_->text());
-  all_->setToolTip(tr("Every number of every tissue on the planned path"));
+  all_->setToolTip(tr("Every value of every tissue on the planned path"));
   all_->setFocusPolicy(Qt::NoFocus);
   connect(all_, &QCheckBox::toggled, this, [this](bool on) {
     if (model_ == nullptr || is_shown_) return;
@@ -168,7 +168,7 @@ QWidget* ModelsPage::make_value() {
   value_ = new QDoubleSpinBox;
   value_->setObjectName(QStringLiteral("models.value"));
   value_->setAccessibleName(tr("Value"));
-  value_->setToolTip(tr("Type a number, also one beyond the slider"));
+  value_->setToolTip(tr("Type a value, which may be outside the slider's range"));
   value_->setFocusPolicy(Qt::ClickFocus);
   value_->setKeyboardTracking(false);
   value_->setMinimumWidth(190);
@@ -210,32 +210,33 @@ QWidget* ModelsPage::make_buttons() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  undo_ = make_button(tr("Undo   Ctrl+Z"), "models.undo", tr("The last change back"));
+  undo_ = make_button(tr("Undo   Ctrl+Z"), "models.undo", tr("Undo the last change (Ctrl+Z)"));
   connect(undo_, &QPushButton::clicked, this, [this] {
     model_->undo();
     show_steps();
-    feel();
+    apply_settings();
   });
-  redo_ = make_button(tr("Redo"), "models.redo", tr("What was undone again (Ctrl+Shift+Z)"));
+  redo_ = make_button(tr("Redo"), "models.redo", tr("Redo the last undone change (Ctrl+Shift+Z)"));
   connect(redo_, &QPushButton::clicked, this, [this] {
     model_->redo();
     show_steps();
-    feel();
+    apply_settings();
   });
-  auto* reset = make_button(tr("Reset this step"), "models.reset", tr("The value that the patient came with"));
+  auto* reset =
+      make_button(tr("Reset this step"), "models.reset", tr("Restore the value that the patient came with"));
   connect(reset, &QPushButton::clicked, this, [this] {
     if (model_ == nullptr || model_->steps().empty()) return;
     model_->reset(static_cast<std::size_t>(step_));
     show_step();
     show_curve();
-    feel();
+    apply_settings();
   });
-  back_ = make_button(tr("Back   ←"), "models.back", tr("The step before"));
+  back_ = make_button(tr("Back   ←"), "models.back", tr("Previous step"));
   connect(back_, &QPushButton::clicked, this, [this] { go(step_ - 1); });
   next_ = make_button(tr("Next step   →"), "models.next", tr("The next number"));
   next_->setProperty("role", QStringLiteral("primary"));
   connect(next_, &QPushButton::clicked, this, [this] { go(step_ + 1); });
-  use_ = make_button(tr("Practise with this"), "models.use", tr("A new attempt begins, which feels these numbers"));
+  use_ = make_button(tr("Practise with this"), "models.use", tr("Begin a new attempt with these values"));
   connect(use_, &QPushButton::clicked, this, [this] {
     if (model_ == nullptr) return;
     emit settings_chosen(model_->now());

@@ -36,7 +36,7 @@ OtherHandBar::OtherHandBar(QWidget* parent) : QWidget(parent) {
   manometer_ = add("practise.manometer", tr("Connect the manometer, or take it off (R)"));
   plunger_ = add("practise.plunger", tr("Press the plunger of the syringe as long as the button or B is held"));
   air_ = add("practise.air", tr("Fill the syringe with air, or with saline again; another attempt begins"));
-  breath_ = add("practise.breath", tr("Ask the patient to hold the breath, or to breathe on (Z)"));
+  breath_ = add("practise.breath", tr("Ask the patient to hold the breath, or to breathe again (Z)"));
   air_->setText(tr("Air"));
   air_->setAccessibleName(air_->text());
   for (const auto& [button, words] :

@@ -8,9 +8,9 @@ class QPushButton;
 
 namespace bodkin::app {
 
-// What the hand that does not hold the needle can do on this patient: feel the skin, take the stylet out, connect the
-// manometer, press the plunger, ask the patient to hold the breath. A row of buttons that say how things stand; those
-// for which the patient has nothing are hidden.
+// The tasks of the hand without the needle on this patient: palpate the skin, remove the stylet, connect the
+// manometer, press the plunger, ask the patient to hold the breath. A row of buttons that show the state; those
+// without a use for this patient are hidden.
 class OtherHandBar : public QWidget {
   Q_OBJECT
  public:

@@ -21,8 +21,8 @@ QStringList palette_words(const QString& text) {
 
 }  // namespace
 
-bool fits_wish(const QString& text, const QString& wish) {
-  const QStringList has = palette_words(text), wanted = palette_words(wish);
+bool matches_query(const QString& text, const QString& query) {
+  const QStringList has = palette_words(text), wanted = palette_words(query);
   return std::all_of(wanted.begin(), wanted.end(), [&has](const QString& word) {
     return std::any_of(has.begin(), has.end(),
                        [&word](const QString& each) { return each.startsWith(word, Qt::CaseInsensitive); });
@@ -33,10 +33,10 @@ Palette::Palette(QWidget* parent) : Card("palette", parent), words_(new QLineEdi
   words_->setObjectName(QStringLiteral("palette.words"));
   words_->setPlaceholderText(tr("What do you want to do?"));
   words_->setAccessibleName(words_->placeholderText());
-  words_->setToolTip(tr("Some letters of it; arrows choose, Enter does it, Esc closes"));
+  words_->setToolTip(tr("Type part of its name; arrows choose, Enter runs it, Esc closes"));
   list_->setObjectName(QStringLiteral("palette.list"));
   list_->setAccessibleName(tr("Commands"));
-  list_->setToolTip(tr("Click to do it"));
+  list_->setToolTip(tr("Click to run it"));
   list_->setFocusPolicy(Qt::NoFocus);
   list_->setMinimumHeight(320);
   list_->setStyleSheet(QStringLiteral("QListWidget { border: none; }"));
@@ -59,7 +59,7 @@ void Palette::show_entries(std::vector<Entry> entries) {
 void Palette::filter() {
   list_->clear();
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!fits_wish(entries_[i].text, words_->text())) continue;
+    if (!matches_query(entries_[i].text, words_->text())) continue;
     const QString keys = entries_[i].keys.isEmpty() ? QString() : QStringLiteral("      %1").arg(entries_[i].keys);
     auto* const item = new QListWidgetItem(entries_[i].text + keys, list_);  // the list owns it
     item->setData(entry_role, static_cast<int>(i));

@@ -11,12 +11,12 @@ class QListWidget;
 
 namespace bodkin::app {
 
-// All that can be done here, by name: type some letters of it, Enter does it.
+// All commands by name: type some letters of one, Enter executes it.
 class Palette : public Card {
   Q_OBJECT
  public:
   struct Entry {
-    QString text, keys;  // what it does, and its key; may be empty
+    QString text, keys;  // name of the command, and its key; may be empty
     std::function<void()> work;
   };
 
@@ -36,7 +36,7 @@ class Palette : public Card {
   QListWidget* list_;
 };
 
-// Every word of `wish` begins a word of `text`, whatever the case: "end see" fits "end, and see how it went".
-bool fits_wish(const QString& text, const QString& wish);
+// Every word of `query` begins a word of `text`, ignoring case: "end see" fits "end, and see the result".
+bool matches_query(const QString& text, const QString& query);
 
 }  // namespace bodkin::app

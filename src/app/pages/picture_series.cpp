@@ -16,8 +16,8 @@ constexpr qint64 most_waiting = qint64{64} << 20;  // bytes that the encoder has
 
 }  // namespace
 
-PictureSeries::PictureSeries(Order order, Look look, QObject* parent)
-    : QObject(parent), order_(std::move(order)), look_(std::move(look)) {}
+PictureSeries::PictureSeries(Output output, Look look, QObject* parent)
+    : QObject(parent), output_(std::move(output)), look_(std::move(look)) {}
 
 PictureSeries::~PictureSeries() {
   if (running_) cancel();
@@ -29,9 +29,9 @@ QString PictureSeries::encoder() {
 
 bool PictureSeries::start() {
   running_ = true;
-  if (!order_.is_video) {
-    if (QDir().mkpath(order_.target)) return true;
-    end(tr("%1 cannot be made: choose another folder.").arg(order_.target));
+  if (!output_.is_video) {
+    if (QDir().mkpath(output_.target)) return true;
+    end(tr("%1 cannot be made: choose another folder.").arg(output_.target));
     return false;
   }
   if (encoder().isEmpty()) {
@@ -44,10 +44,10 @@ bool PictureSeries::start() {
   // Encoders want an even width and height.
   process_->start(encoder(),
                   {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"), QStringLiteral("-f"),
-                   QStringLiteral("image2pipe"), QStringLiteral("-framerate"), QString::number(order_.rate),
+                   QStringLiteral("image2pipe"), QStringLiteral("-framerate"), QString::number(output_.rate),
                    QStringLiteral("-c:v"), QStringLiteral("bmp"), QStringLiteral("-i"), QStringLiteral("-"),
                    QStringLiteral("-vf"), QStringLiteral("crop=trunc(iw/2)*2:trunc(ih/2)*2"),
-                   QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p"), order_.target});
+                   QStringLiteral("-pix_fmt"), QStringLiteral("yuv420p"), output_.target});
   if (process_->waitForStarted()) return true;
   end(tr("ffmpeg cannot be started: %1.").arg(process_->errorString()));
   return false;
@@ -60,12 +60,13 @@ void PictureSeries::advance() {
     return end(tr("The video could not be written: %1").arg(why.isEmpty() ? tr("ffmpeg ended early.") : why));
   }
   if (process_ != nullptr && process_->bytesToWrite() > most_waiting) return;
-  if (next_ < order_.count) {
+  if (next_ < output_.count) {
     const QPixmap picture = look_(next_);
     if (process_ != nullptr) {
       picture.toImage().convertToFormat(QImage::Format_RGB32).save(process_.get(), "BMP");
     } else {
-      const QString file = QDir(order_.target).filePath(QStringLiteral("%1.png").arg(next_, 5, 10, QLatin1Char('0')));
+      const QString file =
+          QDir(output_.target).filePath(QStringLiteral("%1.png").arg(next_, 5, 10, QLatin1Char('0')));
       if (!picture.save(file))
         return end(tr("%1 cannot be written: free space there, or choose another folder.").arg(file));
     }
@@ -90,8 +91,8 @@ void PictureSeries::end(const QString& trouble) {
     process_->kill();
     process_->waitForFinished(patience);
   }
-  // Half a video is of no use to anybody; pictures that were written are.
-  if (order_.is_video && !trouble.isEmpty() && process_ != nullptr) QFile::remove(order_.target);
+  // Half a video is useless; images already written are not.
+  if (output_.is_video && !trouble.isEmpty() && process_ != nullptr) QFile::remove(output_.target);
   process_.reset();
   emit finished(trouble);
 }

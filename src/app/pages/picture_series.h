@@ -9,42 +9,42 @@
 
 namespace bodkin::app {
 
-// Writes a course of moments as numbered pictures, or as a video through ffmpeg, picture by picture between the
-// window's frames, so that the window stays alive and can cancel.
+// Writes a series of frames as numbered images, or as a video through ffmpeg, one image between two of the window's
+// frames, so that the window stays responsive and can cancel.
 class PictureSeries : public QObject {
   Q_OBJECT
  public:
-  struct Order {
-    QString target;  // a folder for pictures, a file for a video
+  struct Output {
+    QString target;  // a folder for images, a file for a video
     bool is_video = false;
-    int count = 0;       // pictures
-    double rate = 25.0;  // of the video, pictures a second
+    int count = 0;       // images
+    double rate = 25.0;  // of the video, images a second
   };
-  // Shows the moment of a picture, 0 to count - 1, and gives what is seen then.
+  // Shows the frame of an image, 0 to count - 1, and returns the visible content.
   using Look = std::function<QPixmap(int index)>;
 
-  PictureSeries(Order order, Look look, QObject* parent);
+  PictureSeries(Output output, Look look, QObject* parent);
   ~PictureSeries() override;
 
-  // Where ffmpeg is; empty: it is not installed.
+  // The path of ffmpeg; empty: it is not installed.
   static QString encoder();
 
-  // False, with finished() emitted, when it cannot begin.
+  // False, with finished() emitted, if it cannot begin.
   bool start();
-  // One more picture; to be called once a frame.
+  // Writes one more image; to be called once a frame.
   void advance();
   void cancel();
   bool is_running() const { return running_; }
-  double fraction() const { return order_.count == 0 ? 1.0 : static_cast<double>(next_) / order_.count; }
+  double fraction() const { return output_.count == 0 ? 1.0 : static_cast<double>(next_) / output_.count; }
 
  signals:
-  // `trouble`: what went wrong, one sentence; empty: all is written.
+  // `trouble`: cause of a failure, one sentence; empty: all is written.
   void finished(const QString& trouble);
 
  private:
   void end(const QString& trouble);
 
-  Order order_;
+  Output output_;
   Look look_;
   std::unique_ptr<QProcess> process_;
   int next_ = 0;

@@ -86,10 +86,10 @@ QWidget* PlanPage::make_panel() {
   auto* line = new QHBoxLayout;
   auto* heading = new QLabel(tr("Paths"));
   heading->setProperty("role", QLatin1String("heading"));
-  said_ = new QLabel;
-  said_->setObjectName(QStringLiteral("plan.said"));
-  said_->setProperty("role", QLatin1String("second"));
-  said_->setWordWrap(true);
+  message_ = new QLabel;
+  message_->setObjectName(QStringLiteral("plan.said"));
+  message_->setProperty("role", QLatin1String("second"));
+  message_->setWordWrap(true);
   structures_ = new QComboBox;
   structures_->setObjectName(QStringLiteral("plan.structure"));
   structures_->setAccessibleName(tr("Structure to aim at"));
@@ -102,12 +102,12 @@ QWidget* PlanPage::make_panel() {
     made->setToolTip(tip);
     return made;
   };
-  undo_ = button("plan.undo", tr("Undo"), tr("Take the last change back (Ctrl+Z)"));
-  redo_ = button("plan.redo", tr("Redo"), tr("Do it again (Ctrl+Shift+Z)"));
+  undo_ = button("plan.undo", tr("Undo"), tr("Undo the last change (Ctrl+Z)"));
+  redo_ = button("plan.redo", tr("Redo"), tr("Redo the last undone change (Ctrl+Shift+Z)"));
   practise_ = button("plan.practise", tr("Practise this"), tr("Go in along this path (Enter)"));
   practise_->setProperty("role", QLatin1String("primary"));
   line->addWidget(heading);
-  line->addWidget(said_, 1);
+  line->addWidget(message_, 1);
   for (QWidget* each : {static_cast<QWidget*>(structures_), static_cast<QWidget*>(undo_),
                         static_cast<QWidget*>(redo_), static_cast<QWidget*>(practise_)})
     line->addWidget(each);
@@ -148,7 +148,7 @@ QWidget* PlanPage::make_panel() {
       frame_.crosshair = *model_->points().target;
       crosshair_moved_ = true;
     } catch (const InputError& error) {
-      said_->setText(QString::fromUtf8(error.what()));
+      message_->setText(QString::fromUtf8(error.what()));
     }
     structures_->setCurrentIndex(0);
     show_plan();
@@ -296,7 +296,7 @@ void PlanPage::next_proposal() {
   model_->adopt(static_cast<std::size_t>(chosen_));
 }
 
-// The text in the corner, the buttons, and the path as the views draw it.
+// The text in the corner, the buttons, and the path drawn by the views.
 void PlanPage::show_plan() {
   frame_.plan = model_->path();
   frame_.plan_broken.clear();
@@ -388,9 +388,9 @@ void PlanPage::show_proposals() {
   } else if (!result.proposals_done) {
     sentence = tr("Looking for more ...");
   } else {
-    sentence = tr("Every one of these keeps its distance. Tab: next.");
+    sentence = tr("Every one of these paths keeps its distance. Tab: next.");
   }
-  said_->setText(sentence);
+  message_->setText(sentence);
 }
 
 void PlanPage::show_map() {
@@ -399,7 +399,7 @@ void PlanPage::show_map() {
   std::vector<std::uint32_t> tint(result.map.size());
   std::transform(result.map.begin(), result.map.end(), tint.begin(), tint_of);
   view3d_->set_skin_tint(tint);
-  legend_->say(result.map_done ? QString() : tr("being computed"));
+  legend_->show_message(result.map_done ? QString() : tr("being computed"));
 }
 
 void PlanPage::resizeEvent(QResizeEvent* event) {

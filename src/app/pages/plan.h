@@ -22,11 +22,11 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Where to go in, and where to: by clicks in 3-D and in the slices, or from the proposals. The skin is coloured by
-// how good each entry is. Lays out and connects; PlanModel knows what it means.
+// Editor of entry and target: by clicks in 3-D and in the slices, or from the proposals. Colours the skin by the
+// suitability of each entry. Arranges and connects widgets; the logic is in PlanModel.
 //
-// Mouse: a click on the skin is the entry; a click in a slice is the target, with Shift the entry, which then lies
-// where the line from the target through that place leaves the body. Both points can be dragged.
+// Mouse: a click on the skin sets the entry; a click in a slice sets the target, with Shift the entry, where the line
+// from the target through that point leaves the body. Both points can be dragged.
 class PlanPage : public Page {
   Q_OBJECT
  public:
@@ -43,7 +43,7 @@ class PlanPage : public Page {
   View3d& view3d() { return *view3d_; }
 
  signals:
-  // The plan is another one than when the page was entered.
+  // The plan has changed since the page was entered.
   void plan_changed(const bodkin::anatomy::NeedlePath& path);
 
  protected:
@@ -75,7 +75,7 @@ class PlanPage : public Page {
   std::vector<SliceView*> slices_;
   QTableWidget* paths_ = nullptr;
   QComboBox* structures_ = nullptr;
-  QLabel* said_ = nullptr;
+  QLabel* message_ = nullptr;
   QPushButton* undo_ = nullptr;
   QPushButton* redo_ = nullptr;
   QPushButton* practise_ = nullptr;

@@ -1,4 +1,4 @@
-// What the mouse does on the page where a path is planned.
+// The mouse on the planning page.
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
@@ -45,11 +45,11 @@ bool PlanPage::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease: {
       const Drag ended = drag_;
       drop(watched, static_cast<QMouseEvent*>(event));
-      // The view that has seen the press must see the release.
+      // The view that received the press must receive the release.
       return ended == Drag::entry || ended == Drag::target;
     }
     case QEvent::MouseButtonDblClick:
-      return slice != nullptr;  // a second click, no wish for a larger view
+      return slice != nullptr;  // a second click, not a request for a larger view
     case QEvent::Wheel:
       if (watched == view3d_) {
         auto* const wheel = static_cast<QWheelEvent*>(event);
@@ -96,13 +96,13 @@ std::optional<Vec3> PlanPage::skin_under(const QPointF& at) {
   return skin->point;
 }
 
-// The surface that is seen is smooth, and a place in a slice lies within: the entry is where the line from the target
+// The visible surface is smoothed, and a place in a slice lies inside: the entry is where the line from the target
 // through that point leaves the body.
 void PlanPage::enter_through(const Vec3& point, bool is_step) {
   Vec3 entry = point;
   if (const auto& target = model_->points().target; target && (point - *target).norm() > 1.0) {
     const auto skin =
-        patient::way_out(shown_->patient.tissues, *target, (point - *target).normalized(), longest_body);
+        patient::find_skin_exit(shown_->patient.tissues, *target, (point - *target).normalized(), longest_body);
     if (!skin) return;
     entry = *skin;
   }

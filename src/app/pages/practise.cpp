@@ -24,7 +24,7 @@ constexpr int gap = 4;
 constexpr int ladder_top = 60;  // below the buttons
 constexpr int cube = 84;        // the orientation cube of the 3-D view, in its lower left corner
 
-// One for each size of screen: what fits a projector does not fit a laptop.
+// One for each screen size: a layout for a projector does not fit a laptop.
 QString layout_key(const QSplitter& splitter) {
   const QScreen* const screen = QGuiApplication::primaryScreen();
   const QSize size = screen == nullptr ? QSize() : screen->size();
@@ -116,11 +116,12 @@ void PractisePage::make_moving() {
   move_ = button(tr("Move the body"), "practise.move",
                  tr("Turn and move the body in the workspace of the device, needle outside (G)"));
   move_->setCheckable(true);
-  undo_ = button(tr("Undo"), "practise.move.undo", tr("The last move of the body back (Ctrl+Z)"));
-  reset_ = button(tr("As at first"), "practise.move.reset", tr("The body as it lay at first (Ctrl+Home)"));
+  undo_ = button(tr("Undo"), "practise.move.undo", tr("Undo the last move of the body (Ctrl+Z)"));
+  reset_ =
+      button(tr("As at first"), "practise.move.reset", tr("Put the body back where it was at first (Ctrl+Home)"));
   inside_ =
       button(tr("Volume"), "practise.volume",
-             tr("The inside of the patient from his CT, beside the slices (I); M for the mode, P for the preset"));
+             tr("The inside of the patient from the CT, next to the slices (I); M for the mode, P for the preset"));
   inside_->setCheckable(true);
   connect(inside_, &QPushButton::clicked, this, &PractisePage::toggle_volume);
   connect(move_, &QPushButton::clicked, this, &PractisePage::moving_toggled);
@@ -132,12 +133,12 @@ void PractisePage::make_moving() {
 void PractisePage::show_moving(const std::optional<View3d::Workspace>& workspace) {
   const bool was_moving = view3d_->workspace().has_value();
   view3d_->set_workspace(workspace);
-  // The ladder would lie over the workspace.
+  // The ladder would cover the workspace.
   if (aids_.ladder && was_moving != workspace.has_value()) ladder_->setVisible(was_moving);
   move_->setChecked(workspace.has_value());
   undo_->setVisible(workspace.has_value());
   reset_->setVisible(workspace.has_value());
-  arrange_overlays();  // what is hidden has no place
+  arrange_overlays();  // a hidden widget has no place
 }
 
 void PractisePage::reset_layout() {
@@ -235,7 +236,7 @@ QWidget* PractisePage::make_instruments() {
   connect(hold_, &QPushButton::clicked, this, &PractisePage::hold_requested);
   connect(button(tr("Again"), "A", "practise.again", tr("Save this attempt and begin another one")),
           &QPushButton::clicked, this, &PractisePage::again_requested);
-  connect(button(tr("End"), "E", "practise.end", tr("Save this attempt and see how it went")), &QPushButton::clicked,
+  connect(button(tr("End"), "E", "practise.end", tr("Save this attempt and see the result")), &QPushButton::clicked,
           this, &PractisePage::end_requested);
   side->addLayout(buttons);
   row->addLayout(side, 3);
@@ -368,7 +369,7 @@ void PractisePage::show_frame(const Frame& frame, const Changes& changes) {
   hold_->setChecked(frame.state == State::held);
   other_hand_->show_frame(frame);
   for (View* view : views_) {
-    // Chart and dock collect, and the banner appears, while nobody sees them.
+    // Chart and dock collect data, and the banner appears, even while hidden.
     if (view->isVisible() || view == chart_ || view == banner_ || view == dock_) view->show_frame(frame, changes);
   }
   show_probe(frame);

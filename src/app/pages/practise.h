@@ -30,8 +30,8 @@ namespace bodkin::app {
 
 using namespace views;
 
-// Where the needle goes in: the patient in 3-D with what matters now in its corners, three slices, the force, four
-// numbers and the buttons. Lays out and connects; draws nothing.
+// The page of an insertion: the patient in 3-D with the essential facts in its corners, three slices, the force, four
+// numbers and the buttons. Arranges and connects widgets; draws nothing.
 class PractisePage : public QWidget {
   Q_OBJECT
  public:
@@ -42,33 +42,32 @@ class PractisePage : public QWidget {
 
   const std::vector<View*>& views() const { return views_; }
   View3d& view3d() { return *view3d_; }
-  // The view that shows the patient and has the focus, or the big one.
+  // Moves the focus to the next or previous visible view.
   void focus_next(bool backwards);
   void toggle_ladder();
   void toggle_numbers();
-  // What researchers want to see, instead of the slices.
+  // The numbers for researchers instead of the slices.
   void toggle_dock();
-  // The view with the focus into the whole page, and back.
+  // Enlarges the view with the focus to the whole page, and back.
   void toggle_fill();
-  // Ultrasound in the big slot, the slices below; nothing: without. Throws InputError when the probe cannot be held
-  // where the choice says; then nothing has changed.
+  // Ultrasound in the big slot, the slices below; empty: without. Throws InputError, without a change, if the probe
+  // cannot be held as the choice says.
   void show_ultrasound(const std::optional<station::UltrasoundChoice>& choice);
   UltrasoundView& ultrasound() { return *ultrasound_; }
   OtherHandBar& other_hand() { return *other_hand_; }
-  // The inside of the patient, beside slices and ultrasound in a big slot of its own, or not; nothing where a stage
-  // hides what is inside.
+  // Shows or hides the volume view of the patient, beside slices and ultrasound in a separate big slot; no effect if
+  // a training stage hides the inside.
   void toggle_volume();
   VolumeView& volume() { return *volume_; }
   bool has_volume() const { return has_volume_; }
   bool may_show_volume() const { return aids_.inside && aids_.slices && aids_.ladder; }
-  // What a stage of a training plan lets be seen.
+  // The aids that a stage of a training plan permits.
   void set_aids(const training::PlanAids& aids);
-  // The strip on top: the plan and how far it is, and the step of the procedure that comes next; both empty: no
-  // strip.
+  // The strip at the top: the plan with its progress, and the next step of the procedure; both empty: no strip.
   void show_plan(const QString& standing, const QString& step);
-  // Where the splitters are, for the next time on a screen of this size.
+  // Stores the splitter positions for the next use on a screen of this size.
   void save_layout() const;
-  // This view into the big slot of the slices.
+  // Moves this view into the big slot of the slices.
   void make_big(View* view);
 
   // The moving mode of the body, with its buttons.
@@ -82,7 +81,7 @@ class PractisePage : public QWidget {
   void again_requested();
   void end_requested();
   void warning_acknowledged();
-  void said(const QString& sentence);  // why something could not be kept
+  void message_requested(const QString& sentence);  // why something could not be kept
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

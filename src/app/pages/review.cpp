@@ -80,8 +80,8 @@ void ReviewPage::show_list() {
 void ReviewPage::open(const std::filesystem::path& file) {
   play(false);
   if (series_ != nullptr) series_->cancel();
-  list_->say({}, false);
-  // A patient that is open already need not be read again.
+  list_->show_message({}, false);
+  // An open patient need not be read again.
   const bool has_own = recording_ != nullptr && recording_->patient() != nullptr && at_hand_ == nullptr;
   job_ = std::make_unique<RecordingJob>(file, has_own ? recording_->patient() : at_hand_);
   show_busy();
@@ -109,9 +109,9 @@ void ReviewPage::take_jobs() {
     const QString error = in_words(status.error);
     job_.reset();
     if (made == nullptr) {
-      // What was shown before stays; without one the list says why.
-      if (recording_ != nullptr) verdict_->say(error, true);
-      if (recording_ == nullptr) list_->say(error, true);
+      // The previous session remains visible; without one the list shows the reason.
+      if (recording_ != nullptr) verdict_->show_message(error, true);
+      if (recording_ == nullptr) list_->show_message(error, true);
     } else {
       recording_ = std::move(made);
       show_recording();
@@ -125,9 +125,9 @@ void ReviewPage::take_jobs() {
   const QString error = in_words(status.error);
   other_job_.reset();
   show_busy();
-  if (made == nullptr) return verdict_->say(error, true);
+  if (made == nullptr) return verdict_->show_message(error, true);
   other_ = std::move(made);
-  compare_->setText(tr("Compare no more"));
+  compare_->setText(tr("Stop comparing"));
   std::vector<station::HandSample> moved(other_->samples().begin(), other_->samples().end());
   for (station::HandSample& sample : moved) sample.time += shift();
   chart_->compare_with(moved);
@@ -193,7 +193,7 @@ void ReviewPage::show_trails() {
   view3d_->set_trails(std::move(with_probe));
 }
 
-// The probe of the moment: the border of its picture among the ways, and the picture.
+// The probe at the moment: the border of its image among the paths, and the image.
 void ReviewPage::show_scan(Frame& frame) {
   const std::optional<std::size_t> now = scan_at(recording_->session(), time_);
   if (now != scan_) {
@@ -208,12 +208,13 @@ void ReviewPage::show_lanes() {
     Timeline::Lane lane;
     lane.colour = colour;
     const anatomy::TissueLibrary& library = library_of(recording);
-    for (const Recording::Stay& stay : recording.stays()) {
+    for (const Recording::TissueInterval& interval : recording.tissue_intervals()) {
       const double dt = recording.session().header.dt;
-      lane.bands.push_back({recording.time(stay.first) + moved, recording.time(stay.last) + dt + moved,
-                            tissue_colour(stay.tissue, library), in_words(recording.tissue_title(stay.tissue))});
+      lane.bands.push_back({recording.time(interval.first) + moved, recording.time(interval.last) + dt + moved,
+                            tissue_colour(interval.tissue, library),
+                            in_words(recording.tissue_title(interval.tissue))});
     }
-    for (const Recording::Happening& each : recording.happenings())
+    for (const Recording::ShownEvent& each : recording.shown_events())
       lane.events.push_back({each.time + moved, in_words(each.words), each.is_bad});
     return lane;
   };
@@ -254,7 +255,7 @@ void ReviewPage::step_event(int direction) {
   if (recording_ == nullptr) return;
   play(false);
   const double near = 0.5 * recording_->session().header.dt;
-  const std::vector<Recording::Happening>& all = recording_->happenings();
+  const std::vector<Recording::ShownEvent>& all = recording_->shown_events();
   if (direction > 0) {
     const auto next =
         std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.time > time_ + near; });
@@ -336,7 +337,7 @@ void ReviewPage::show_busy() {
   } else if (series_ != nullptr) {
     words = tr("writing, %1 %").arg(static_cast<int>(100.0 * series_->fraction()));
   }
-  if (stack_->currentWidget() == list_ && !words.isEmpty()) list_->say(words, false);
+  if (stack_->currentWidget() == list_ && !words.isEmpty()) list_->show_message(words, false);
   busy_->setText(words);
   cancel_->setVisible(!words.isEmpty());
 }
@@ -372,11 +373,12 @@ void ReviewPage::write_report(bool shown) {
     write_file(file, html);
     const QString name = QString::fromStdString(file.string());
     const bool opened = shown && QDesktopServices::openUrl(QUrl::fromLocalFile(name));
-    verdict_->say(shown && !opened ? tr("The report is written to %1; no program here opens HTML pages.").arg(name)
-                                   : tr("The report is written to %1.").arg(name),
-                  false);
+    verdict_->show_message(shown && !opened
+                               ? tr("The report is written to %1; no program here opens HTML pages.").arg(name)
+                               : tr("The report is written to %1.").arg(name),
+                           false);
   } catch (const std::exception& error) {
-    verdict_->say(in_words(error.what()), true);
+    verdict_->show_message(in_words(error.what()), true);
   }
 }
 
@@ -390,9 +392,9 @@ void ReviewPage::save_series(const QString& target, bool is_video, double rate) 
     show_moment(clock_ + index / rate);
     return pictures_->grab();
   };
-  series_ = std::make_unique<PictureSeries>(PictureSeries::Order{target, is_video, count, rate}, look, this);
+  series_ = std::make_unique<PictureSeries>(PictureSeries::Output{target, is_video, count, rate}, look, this);
   connect(series_.get(), &PictureSeries::finished, this, [this, target, before](const QString& trouble) {
-    verdict_->say(trouble.isEmpty() ? tr("Written to %1.").arg(target) : trouble, !trouble.isEmpty());
+    verdict_->show_message(trouble.isEmpty() ? tr("Written to %1.").arg(target) : trouble, !trouble.isEmpty());
     seek(before);
     series_.release()->deleteLater();
     show_busy();

@@ -30,17 +30,17 @@ using namespace views;
 class SessionList;
 class VerdictPanel;
 
-// A finished session, moment by moment: the needle and its way in 3-D and in slices, the force, what happened, and
-// the verdict. Seeking shows what was recorded; nothing is computed again. A second session lies over the first one
-// in a second colour, moved so that both touch the skin at the same time.
+// A finished session, tick by tick: the needle and its path in 3-D and in slices, the force, the events, and the
+// verdict. Seeking shows recorded values; nothing is recomputed. A second session can be overlaid in a second colour,
+// shifted so that both touch the skin at the same time.
 class ReviewPage : public Page {
   Q_OBJECT
  public:
-  // `sessions`: the folder whose sessions are offered.
+  // `sessions`: the folder of the sessions in the list.
   explicit ReviewPage(std::filesystem::path sessions, QWidget* parent = nullptr);
   ~ReviewPage() override;
 
-  // Reads a session and shows it as soon as it is there.
+  // Reads a session and shows it when ready.
   void open(const std::filesystem::path& file);
   void compare_with(const std::filesystem::path& file);
   void stop_comparing();
@@ -54,12 +54,12 @@ class ReviewPage : public Page {
   void play(bool on);
   void set_speed(double times);
   void seek(double time);  // s of the session
-  // By a picture of 1/25 s, and to the next thing that happened.
+  // By an image of 1/25 s, and to the next event.
   void step(int pictures);
   void step_event(int direction);
-  // The page of HTML is written beside the session, and shown by the program that shows such pages here.
+  // Writes the HTML page beside the session and opens it in the system's browser.
   void write_report(bool shown = true);
-  // Numbered pictures of the whole session in a folder, or a video in a file; `rate`: pictures for each second of the
+  // Numbered images of the whole session in a folder, or a video in a file; `rate`: images for each second of the
   // session.
   void save_series(const QString& target, bool is_video, double rate = 25.0);
 
@@ -93,7 +93,7 @@ class ReviewPage : public Page {
   void show_busy();
   void choose_file(bool second);
   void choose_target(bool is_video);
-  double shift() const;  // s that the second session is moved by
+  double shift() const;  // s, shift of the second session
   QString status_words() const;
 
   std::filesystem::path folder_;
@@ -124,14 +124,14 @@ class ReviewPage : public Page {
   std::unique_ptr<RecordingJob> job_, other_job_;
   std::shared_ptr<const Recording> recording_, other_;
   std::unique_ptr<PictureSeries> series_;
-  FrameMaker differences_;  // finds what is new in a frame
+  FrameMaker differences_;  // finds the changes of a frame
   Frame frame_;
   std::vector<LeftNeedle> left_needles_;  // of frame_
   ForceChart::Cursor shown_cursor_;
   double time_ = 0.0, speed_ = 1.0, clock_ = 0.0;
   bool playing_ = false, curves_stale_ = false;
-  std::optional<Vec3> crosshair_;    // nothing: it follows the tip
-  std::optional<std::size_t> scan_;  // the sample of the ultrasound machine that is shown
+  std::optional<Vec3> crosshair_;    // empty: it follows the tip
+  std::optional<std::size_t> scan_;  // the displayed sample of the ultrasound machine
 };
 
 }  // namespace bodkin::app

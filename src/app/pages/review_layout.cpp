@@ -78,7 +78,7 @@ QWidget* ReviewPage::make_player() {
   return player;
 }
 
-// All that goes into pictures and videos.
+// The contents of images and videos.
 QWidget* ReviewPage::make_pictures() {
   pictures_ = new QWidget;
   pictures_->setObjectName(QStringLiteral("ground"));
@@ -118,14 +118,14 @@ QWidget* ReviewPage::make_pictures() {
   }
   ultrasound_ = new UltrasoundView;
   ultrasound_->setObjectName(QStringLiteral("review.ultrasound"));
-  // Nobody holds its probe any more.
+  // Its probe is no longer held.
   ultrasound_->setAttribute(Qt::WA_TransparentForMouseEvents);
   ultrasound_->setFocusPolicy(Qt::NoFocus);
   slice_rows_->addLayout(small_slices_, 3);
   arrange_slices(false);
   views->addWidget(slice_column_, 6);
   rows->addLayout(views, 1);
-  // There is no needle to push here: the wheel brings the patient nearer.
+  // There is no needle to push here: the wheel zooms.
   connect(view3d_, &View::pushed, this, [this](double notches, bool fine) {
     const scene::Camera now = view3d_->camera();
     view3d_->set_camera(scene::zoomed(now, std::pow(review_zoom, -notches * (fine ? 0.2 : 1.0)), now.focus));
@@ -137,7 +137,7 @@ QWidget* ReviewPage::make_pictures() {
   connect(chart_, &ForceChart::place_chosen, this, [this](double along) {
     if (recording_ == nullptr) return;
     if (chart_->axis() == ForceChart::Axis::time) return seek(along);
-    // Against depth: the first moment at which the tip was so deep.
+    // Over depth: the first moment at which the tip was this deep.
     const std::span<const station::HandSample> samples = recording_->samples();
     const auto there =
         std::find_if(samples.begin(), samples.end(), [&](const auto& each) { return each.depth >= along; });
@@ -146,7 +146,7 @@ QWidget* ReviewPage::make_pictures() {
   rows->addWidget(chart_);
   timeline_ = new Timeline;
   timeline_->setObjectName(QStringLiteral("review.timeline"));
-  connect(timeline_, &Timeline::sought, this, [this](double time) {
+  connect(timeline_, &Timeline::seek_requested, this, [this](double time) {
     play(false);
     seek(time);
   });
@@ -154,7 +154,7 @@ QWidget* ReviewPage::make_pictures() {
   return pictures_;
 }
 
-// The large place has the ultrasound where there was one, and else the sagittal slice.
+// The large slot has the recorded ultrasound, or else the sagittal slice.
 void ReviewPage::arrange_slices(bool has_ultrasound) {
   for (SliceView* slice : slices_) {
     slice_rows_->removeWidget(slice);
@@ -179,13 +179,13 @@ QWidget* ReviewPage::make_transport() {
     row->addWidget(made);
     return made;
   };
-  add(tr("< Event"), "review.event.before", tr("To what happened before (Shift+Left)"), [this] { step_event(-1); });
-  add(tr("< Step"), "review.step.back", tr("A picture back, 1/25 s (Left)"), [this] { step(-1); });
+  add(tr("< Event"), "review.event.before", tr("Go to the previous event (Shift+Left)"), [this] { step_event(-1); });
+  add(tr("< Step"), "review.step.back", tr("One frame back, 1/25 s (Left)"), [this] { step(-1); });
   play_ = add(tr("Play"), "review.play", tr("Play, pause (Space)"), [this] { play(!playing_); });
   play_->setProperty("role", QStringLiteral("primary"));
   play_->setMinimumWidth(72);
-  add(tr("Step >"), "review.step.on", tr("A picture on, 1/25 s (Right)"), [this] { step(1); });
-  add(tr("Event >"), "review.event.next", tr("To what happens next (Shift+Right)"), [this] { step_event(1); });
+  add(tr("Step >"), "review.step.on", tr("One frame forward, 1/25 s (Right)"), [this] { step(1); });
+  add(tr("Event >"), "review.event.next", tr("Go to the next event (Shift+Right)"), [this] { step_event(1); });
   row->addSpacing(10);
   for (const double times : {0.25, 0.5, 1.0, 2.0, 4.0}) {
     const QString text = times < 1.0 ? (times < 0.5 ? QStringLiteral("1/4") : QStringLiteral("1/2"))
@@ -226,7 +226,7 @@ QWidget* ReviewPage::make_buttons() {
   busy_->setProperty("role", QStringLiteral("second"));
   busy_->setWordWrap(true);
   doing->addWidget(busy_, 1);
-  cancel_ = button(tr("Cancel"), "review.cancel", tr("Stop what is being done"));
+  cancel_ = button(tr("Cancel"), "review.cancel", tr("Stop the running task"));
   connect(cancel_, &QPushButton::clicked, this, [this] {
     if (series_ != nullptr) return series_->cancel();
     if (other_job_ != nullptr) return other_job_->cancel();
@@ -245,11 +245,11 @@ QWidget* ReviewPage::make_buttons() {
   };
   compare_ = add(first, tr("Compare..."), "review.compare", tr("A second session over this one, in a second colour"),
                  [this] { other_ != nullptr ? stop_comparing() : choose_file(true); });
-  add(first, tr("Report"), "review.report", tr("Write the page of HTML, and show it (G)"),
+  add(first, tr("Report"), "review.report", tr("Write the report as an HTML page, and show it (G)"),
       [this] { write_report(); });
   add(second, tr("Pictures..."), "review.pictures", tr("25 numbered pictures for each second"),
       [this] { choose_target(false); });
-  add(second, tr("Video..."), "review.video", tr("By ffmpeg, where it is installed"),
+  add(second, tr("Video..."), "review.video", tr("Made with ffmpeg, if it is installed"),
       [this] { choose_target(true); });
   rows->addLayout(first);
   rows->addLayout(second);

@@ -27,7 +27,7 @@ namespace {
 constexpr int left_width = 372, scan_gap = 8, scan_margin = 12;  // pixels
 constexpr double first_range = 60.0;                             // mm about the target that a case opens with
 
-// A scanner's console is dark whatever the theme of the window is.
+// A scanner's console is dark in any theme of the window.
 const char* const console_style = R"(
 #scan { background: #000000; }
 #scan QWidget { font-family: "DejaVu Sans Mono"; color: #A8E0B0; }
@@ -156,7 +156,7 @@ void ScanPage::make_protocol(QVBoxLayout* rows) {
       {"scan.kernel.soft", tr("Soft")}, {"scan.kernel.standard", tr("Standard")}, {"scan.kernel.sharp", tr("Sharp")}};
   for (int i = 0; i < 3; ++i) {
     QPushButton* const made =
-        scan_button(kernels[i].first, kernels[i].second, tr("Kernel: how edges and noise come out"), true);
+        scan_button(kernels[i].first, kernels[i].second, tr("Kernel: sharpness of edges against noise"), true);
     made->setChecked(i == 1);
     kernels_->addButton(made, i);
     kernel_row->addWidget(made);
@@ -165,7 +165,7 @@ void ScanPage::make_protocol(QVBoxLayout* rows) {
   rows->addLayout(fields);
   rows->addLayout(kernel_row);
   auto* last = new QHBoxLayout;
-  scan_ = scan_button("scan.start", tr("SCAN"), tr("Takes the slices; press again to stop (S)"), false);
+  scan_ = scan_button("scan.start", tr("SCAN"), tr("Acquire the slices; press again to stop (S)"), false);
   scan_->setProperty("role", QStringLiteral("scan"));
   scan_->setFixedSize(76, 76);
   connect(scan_, &QPushButton::clicked, this, &ScanPage::start_or_cancel);
@@ -175,12 +175,12 @@ void ScanPage::make_protocol(QVBoxLayout* rows) {
   progress_->setObjectName(QStringLiteral("scan.progress"));
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
-  said_ = new QLabel;
-  said_->setObjectName(QStringLiteral("scan.said"));
-  said_->setWordWrap(true);
+  message_ = new QLabel;
+  message_->setObjectName(QStringLiteral("scan.said"));
+  message_->setWordWrap(true);
   words->addStretch(1);
   words->addWidget(progress_);
-  words->addWidget(said_);
+  words->addWidget(message_);
   words->addStretch(1);
   last->addLayout(words, 1);
   rows->addLayout(last);
@@ -239,7 +239,7 @@ void ScanPage::set_case(std::shared_ptr<const OpenCase> patient) {
   progress_->setValue(0);
   const bool has_ct = patient_ && !patient_->patient.ct.empty();
   scan_->setEnabled(has_ct);
-  say(patient_ && !has_ct ? tr("This patient has no CT to scan.") : QString(), true);
+  show_message(patient_ && !has_ct ? tr("This patient has no CT to scan.") : QString(), true);
   if (!has_ct) return;
   const anatomy::Grid& lattice = patient_->patient.ct.grid;
   double middle = lattice.to_patient(0.5 * Vec3(lattice.size[0], lattice.size[1], lattice.size[2])).z();
@@ -276,10 +276,10 @@ void ScanPage::show_protocol() {
 void ScanPage::start_or_cancel() {
   if (scanner_.running()) {
     scanner_.cancel();
-    return say(tr("Stopped; the slices that came remain."), false);
+    return show_message(tr("Stopped; the slices acquired so far remain."), false);
   }
   const std::string trouble = imaging::trouble_with(protocol_);
-  if (!patient_ || !trouble.empty()) return say(in_words(trouble), true);
+  if (!patient_ || !trouble.empty()) return show_message(in_words(trouble), true);
   auto scan = std::make_shared<imaging::CtScan>();
   scan->protocol = protocol_;
   scan->plane = imaging::scan_plane(patient_->patient.ct.grid);
@@ -293,7 +293,7 @@ void ScanPage::start_or_cancel() {
   add_to_list();
   show_scan(scans_.size() - 1);
   scan_->setText(tr("STOP"));
-  say(tr("Scanning ..."), false);
+  show_message(tr("Scanning ..."), false);
 }
 
 void ScanPage::add_to_list() {
@@ -323,27 +323,28 @@ void ScanPage::advance(double clock) {
   if (was_running) return;
   scan_->setText(tr("SCAN"));
   if (scan.slices.size() == imaging::slice_positions(scan.protocol).size()) {
-    say(tr("%1 slices. Click a lesion to mark it.").arg(scan.slices.size()), false);
+    show_message(tr("%1 slices. Click a lesion to mark it.").arg(scan.slices.size()), false);
   }
 }
 
 void ScanPage::use_target() {
   if (!patient_ || !viewer_->mark()) return;
   const std::optional<anatomy::NeedlePath> path = path_to(*patient_, *viewer_->mark());
-  if (!path) return say(tr("The mark lies outside the body. Click a place inside it."), true);
+  if (!path) return show_message(tr("The mark lies outside the body. Click a place inside it."), true);
   try {
     save_plan(*patient_, *path);
   } catch (const std::exception& failure) {
-    return say(in_words(failure.what()), true);
+    return show_message(in_words(failure.what()), true);
   }
-  say(tr("Saved as the target, %1 mm from the skin. The patient opens again with it.").arg(path->length(), 0, 'f', 0),
+  show_message(
+      tr("Saved as the target, %1 mm from the skin. The patient opens again with it.").arg(path->length(), 0, 'f', 0),
       false);
   emit patient_requested(QString::fromStdString(patient_->folder.string()));
 }
 
-void ScanPage::say(const QString& sentence, bool trouble) {
-  said_->setText(sentence);
-  said_->setStyleSheet(trouble ? QStringLiteral("color: #FF5A52") : QString());
+void ScanPage::show_message(const QString& sentence, bool trouble) {
+  message_->setText(sentence);
+  message_->setStyleSheet(trouble ? QStringLiteral("color: #FF5A52") : QString());
 }
 
 bool ScanPage::press(const QKeySequence& keys) {

@@ -22,8 +22,8 @@ namespace bodkin::app {
 
 using namespace views;
 
-// The console of a CT scanner: scout with the range, protocol, slices that arrive one by one, the scans so far. A
-// scan shows the needle where it is now.
+// The console of a CT scanner: scout with the range, protocol, slices that arrive one by one, the previous scans. A
+// scan shows the needle at its present position.
 class ScanPage : public Page {
   Q_OBJECT
  public:
@@ -48,7 +48,7 @@ class ScanPage : public Page {
   void add_to_list();
   void show_protocol();
   void use_target();
-  void say(const QString& sentence, bool trouble);
+  void show_message(const QString& sentence, bool trouble);
 
   std::function<const Frame&()> frame_;
   std::shared_ptr<const OpenCase> patient_;
@@ -61,7 +61,7 @@ class ScanPage : public Page {
   QDoubleSpinBox *thickness_ = nullptr, *spacing_ = nullptr;
   QButtonGroup* kernels_ = nullptr;
   QButtonGroup* list_buttons_ = nullptr;
-  QLabel *range_ = nullptr, *said_ = nullptr;
+  QLabel *range_ = nullptr, *message_ = nullptr;
   QPushButton *scan_ = nullptr, *cine_ = nullptr, *target_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QHBoxLayout* list_ = nullptr;

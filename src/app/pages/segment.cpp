@@ -48,7 +48,7 @@ void SegmentPage::enter() {
   try {
     model_ = std::make_unique<SegmentModel>(patient_);
   } catch (const InputError& error) {
-    return say(QString::fromUtf8(error.what()), true);
+    return show_message(QString::fromUtf8(error.what()), true);
   }
   shown_ = patient_;
   tissue_->clear();
@@ -61,8 +61,9 @@ void SegmentPage::enter() {
   for (SegmentSlice* each : slices_) each->set_case(patient_, &model_->editor().labels());
   set_crosshair(path ? path->target
                      : grid.to_patient(0.5 * Vec3(grid.size[0] - 1, grid.size[1] - 1, grid.size[2] - 1)));
-  say(model_->has_draft() ? tr("What was not saved the last time is here again; Ctrl+Z takes it back.") : QString(),
-      false);
+  show_message(model_->has_draft() ? tr("Changes that were not saved the last time are restored; Ctrl+Z undoes them.")
+                                   : QString(),
+               false);
   show_table();
   choose_tool(SegmentTool::look);
   show_labels(true);
@@ -73,9 +74,9 @@ void SegmentPage::leave() {
   end_stroke();
   if (model_ == nullptr) return;
   try {
-    model_->keep_draft();
+    model_->store_draft();
   } catch (const SystemError& error) {
-    say(in_words(error.what()), true);
+    show_message(in_words(error.what()), true);
   }
 }
 
@@ -116,7 +117,7 @@ void SegmentPage::stroke(const Vec3& from, const Vec3& to, int normal) {
 void SegmentPage::begin_stroke(const Vec3& point, int normal) {
   if (model_ == nullptr || model_->status().is_busy) return;
   if (tool_ == SegmentTool::look) return set_crosshair(point);
-  if (model_->active_label() == 0) return say(tr("Make a structure first: its name, then New."), true);
+  if (model_->active_label() == 0) return show_message(tr("Make a structure first: its name, then New."), true);
   set_crosshair(point);
   if (tool_ == SegmentTool::grow) return run_filter(patient::SegmentFilter::Kind::grow);
   stroke_from_ = point;
@@ -133,7 +134,7 @@ void SegmentPage::end_stroke() {
 
 void SegmentPage::run_filter(patient::SegmentFilter::Kind kind) {
   if (model_ == nullptr || model_->status().is_busy) return;
-  if (model_->active_label() == 0) return say(tr("Make a structure first: its name, then New."), true);
+  if (model_->active_label() == 0) return show_message(tr("Make a structure first: its name, then New."), true);
   using Kind = patient::SegmentFilter::Kind;
   patient::SegmentFilter filter;
   filter.kind = kind;
@@ -157,11 +158,11 @@ void SegmentPage::add_structure() {
   try {
     model_->add(name_->text().trimmed().toStdString(), tissue_->currentData().toString().toStdString(), false);
   } catch (const InputError& error) {
-    return say(QString::fromUtf8(error.what()), true);
+    return show_message(QString::fromUtf8(error.what()), true);
   }
   name_->clear();
   slices_[0]->setFocus(Qt::OtherFocusReason);
-  say(tr("Paint it, grow it from a click, or take a range of HU."), false);
+  show_message(tr("Paint it, grow it from a click, or add a range of HU."), false);
   show_table();
   show_labels(true);
 }
@@ -171,17 +172,17 @@ void SegmentPage::rename_structure() {
   try {
     model_->rename(name_->text().trimmed().toStdString());
   } catch (const InputError& error) {
-    return say(QString::fromUtf8(error.what()), true);
+    return show_message(QString::fromUtf8(error.what()), true);
   }
   name_->clear();
-  say({}, false);
+  show_message({}, false);
   show_table();
 }
 
 void SegmentPage::remove_structure() {
   if (model_ == nullptr || model_->active() < 0) return;
   model_->remove();
-  say(tr("It has no voxels any more. Saving drops it; Ctrl+Z brings it back."), false);
+  show_message(tr("It has no voxels any more. Saving drops it; Ctrl+Z brings it back."), false);
   show_table();
   show_labels(true);
 }
@@ -235,13 +236,13 @@ void SegmentPage::show_status() {
   progress_->setValue(static_cast<int>(1000.0 * status.fraction));
   for (QPushButton* each : filters_) each->setEnabled(!status.is_busy);
   save_->setEnabled(!status.is_busy && model_->has_changes());
-  if (status.is_busy) return say(in_words(status.stage) + QStringLiteral(" ..."), false);
-  if (!status.error.empty()) return say(in_words(status.error), true);
+  if (status.is_busy) return show_message(in_words(status.stage) + QStringLiteral(" ..."), false);
+  if (!status.error.empty()) return show_message(in_words(status.error), true);
 }
 
-void SegmentPage::say(const QString& sentence, bool is_trouble) {
-  said_->setText(sentence);
-  said_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
+void SegmentPage::show_message(const QString& sentence, bool is_trouble) {
+  message_->setText(sentence);
+  message_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
 }
 
 void SegmentPage::advance(double /*clock*/) {
@@ -251,11 +252,12 @@ void SegmentPage::advance(double /*clock*/) {
     const SegmentModel::Status status = model_->status();
     if (!status.is_busy) {
       show_labels(true);
-      if (status.error.empty() && !status.is_saved) say({}, false);
+      if (status.error.empty() && !status.is_saved) show_message({}, false);
       if (status.is_saved && status.error.empty()) {
         QStringList notes;
         for (const std::string& note : status.notes) notes << in_words(note);
-        say(tr("Saved. The patient is opened again with its new tissues. %1").arg(notes.join(QLatin1Char(' '))),
+        show_message(
+            tr("Saved. The patient is opened again with its new tissues. %1").arg(notes.join(QLatin1Char(' '))),
             false);
         emit patient_requested(QString::fromStdString(patient_->folder.string()));
         return;

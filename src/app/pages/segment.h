@@ -26,11 +26,11 @@ namespace bodkin::app {
 
 using namespace views;
 
-// What the left button does on the page.
+// The function of the left button on the page.
 enum class SegmentTool : std::uint8_t { look, paint, erase, grow };
 
-// Structures of a patient corrected, or made, by hand: slices with the structures over them, the structure in 3-D,
-// tools and filters beside. Lays out and connects; SegmentModel knows what it means.
+// Manual editing of a patient's structures: slices with the structures over them, the structure in 3-D, tools and
+// filters at the side. Arranges and connects widgets; the logic is in SegmentModel.
 class SegmentPage : public Page {
   Q_OBJECT
  public:
@@ -67,7 +67,7 @@ class SegmentPage : public Page {
   void show_active();
   void show_labels(bool also_relief);
   void show_status();
-  void say(const QString& sentence, bool is_trouble);
+  void show_message(const QString& sentence, bool is_trouble);
   patient::Overwriting overwriting() const;
 
   std::shared_ptr<const OpenCase> patient_, shown_;
@@ -85,7 +85,7 @@ class SegmentPage : public Page {
   QPushButton *rename_ = nullptr, *remove_ = nullptr;
   std::vector<QPushButton*> filters_;
   QProgressBar* progress_ = nullptr;
-  QLabel *said_ = nullptr, *amount_ = nullptr;
+  QLabel *message_ = nullptr, *amount_ = nullptr;
   SegmentTool tool_ = SegmentTool::look;
   Vec3 crosshair_ = Vec3::Zero();
   std::optional<Vec3> stroke_from_;

@@ -1,4 +1,4 @@
-// Where the widgets of the page for structures stand, and what they are connected with.
+// Layout and connections of the widgets of the page for structures.
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
@@ -161,21 +161,21 @@ QWidget* SegmentPage::make_panel() {
   name_ = new QLineEdit;
   name_->setObjectName(QStringLiteral("segment.name"));
   name_->setPlaceholderText(tr("name, of a new one or another"));
-  name_->setAccessibleName(tr("Name of a new structure, or another for the chosen one"));
+  name_->setAccessibleName(tr("Name of a new structure, or a new name for the chosen one"));
   rows->addWidget(name_);
   tissue_ = new QComboBox;
   tissue_->setObjectName(QStringLiteral("segment.tissue"));
   tissue_->setAccessibleName(tr("Tissue of the new structure"));
-  tissue_->setToolTip(tr("What it is made of"));
+  tissue_->setToolTip(tr("Tissue that the structure is made of"));
   naming->addWidget(tissue_, 1);
-  auto* add = button("segment.new", tr("New"), tr("A structure of this name and tissue"));
+  auto* add = button("segment.new", tr("New"), tr("Make a structure with this name and tissue"));
   connect(add, &QPushButton::clicked, this, &SegmentPage::add_structure);
   connect(name_, &QLineEdit::returnPressed, this, &SegmentPage::add_structure);
   naming->addWidget(add);
   rows->addLayout(naming);
   auto* chosen = new QHBoxLayout;
   chosen->setSpacing(4);
-  rename_ = button("segment.rename", tr("Rename"), tr("The chosen structure gets the name that stands above"));
+  rename_ = button("segment.rename", tr("Rename"), tr("Give the chosen structure the name typed above"));
   connect(rename_, &QPushButton::clicked, this, &SegmentPage::rename_structure);
   remove_ = button("segment.remove", tr("Remove"), tr("The chosen structure loses all its voxels; saving drops it"));
   connect(remove_, &QPushButton::clicked, this, &SegmentPage::remove_structure);
@@ -205,8 +205,8 @@ void SegmentPage::make_tools(QVBoxLayout* rows) {
   row->setSpacing(4);
   const std::array<std::array<QString, 2>, 4> texts = {
       std::array{tr("Look"), tr("Moves the crosshair (L)")}, std::array{tr("Paint"), tr("Adds to the structure (P)")},
-      std::array{tr("Erase"), tr("Takes from the structure (E)")},
-      std::array{tr("Grow"), tr("A click takes what hangs together with it in the range of HU (G)")}};
+      std::array{tr("Erase"), tr("Removes from the structure (E)")},
+      std::array{tr("Grow"), tr("A click adds the connected voxels in the range of HU (G)")}};
   const std::array<const char*, 4> names = {"segment.tool.look", "segment.tool.paint", "segment.tool.erase",
                                             "segment.tool.grow"};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -257,12 +257,12 @@ void SegmentPage::make_filters(QVBoxLayout* rows) {
   cells->addWidget(filter("segment.threshold", tr("Threshold"), tr("Adds all voxels of the range"), Kind::threshold),
                    0, 0);
   cells->addWidget(filter("segment.fill", tr("Fill between slices"),
-                          tr("Axial slices between painted ones take the shape between"), Kind::fill),
+                          tr("Interpolate the structure in the axial slices between painted ones"), Kind::fill),
                    0, 1);
   cells->addWidget(
-      filter("segment.smooth", tr("Smooth"), tr("Takes specks, holes and stairs that are smaller"), Kind::smooth), 1,
+      filter("segment.smooth", tr("Smooth"), tr("Removes specks, holes and steps that are smaller"), Kind::smooth), 1,
       0);
-  smoothness_ = number_box<QDoubleSpinBox>("segment.smoothness", tr("How much Smooth takes"), 0.3, 10.0, 1.0);
+  smoothness_ = number_box<QDoubleSpinBox>("segment.smoothness", tr("Size of what Smooth removes"), 0.3, 10.0, 1.0);
   smoothness_->setDecimals(1);
   smoothness_->setSuffix(tr(" mm"));
   cells->addWidget(smoothness_, 1, 1);
@@ -275,11 +275,11 @@ void SegmentPage::make_foot(QVBoxLayout* rows) {
     for (SegmentSlice* each : slices_) each->set_covered(on);
   });
   rows->addWidget(covered_);
-  said_ = new QLabel;
-  said_->setObjectName(QStringLiteral("segment.said"));
-  said_->setWordWrap(true);
-  said_->setMinimumHeight(34);
-  rows->addWidget(said_);
+  message_ = new QLabel;
+  message_->setObjectName(QStringLiteral("segment.said"));
+  message_->setWordWrap(true);
+  message_->setMinimumHeight(34);
+  rows->addWidget(message_);
   auto* working = new QHBoxLayout;
   progress_ = new QProgressBar;
   progress_->setObjectName(QStringLiteral("segment.progress"));
@@ -296,9 +296,9 @@ void SegmentPage::make_foot(QVBoxLayout* rows) {
   rows->addLayout(working);
   auto* last = new QHBoxLayout;
   last->setSpacing(4);
-  undo_ = button("segment.undo", tr("Undo"), tr("Take the last step back (Ctrl+Z)"));
-  redo_ = button("segment.redo", tr("Redo"), tr("Do it again (Ctrl+Shift+Z)"));
-  save_ = button("segment.save", tr("Save"), tr("Into the case; tissues and path are made anew"));
+  undo_ = button("segment.undo", tr("Undo"), tr("Undo the last step (Ctrl+Z)"));
+  redo_ = button("segment.redo", tr("Redo"), tr("Redo the last undone change (Ctrl+Shift+Z)"));
+  save_ = button("segment.save", tr("Save"), tr("Save into the case; tissues and path are computed again"));
   save_->setProperty("role", QStringLiteral("primary"));
   connect(undo_, &QPushButton::clicked, this, [this] { press(QKeySequence(QStringLiteral("Ctrl+Z"))); });
   connect(redo_, &QPushButton::clicked, this, [this] { press(QKeySequence(QStringLiteral("Ctrl+Shift+Z"))); });

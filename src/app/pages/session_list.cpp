@@ -25,7 +25,7 @@ SessionList::SessionList(QWidget* parent) : QWidget(parent), list_(new QListWidg
   auto* open = new QPushButton(tr("Open a file..."));
   open->setObjectName(QStringLiteral("review.open"));
   open->setAccessibleName(tr("Open a file"));
-  open->setToolTip(tr("A session that lies elsewhere; it can also be dropped here"));
+  open->setToolTip(tr("Open a session from another folder; it can also be dropped here"));
   connect(open, &QPushButton::clicked, this, &SessionList::file_dialog_requested);
   top->addWidget(open);
   rows->addLayout(top);
@@ -66,11 +66,11 @@ void SessionList::show_sessions(const std::vector<KeptSession>& sessions, const 
   list_->setVisible(!sessions.empty());
   empty_->setVisible(sessions.empty());
   empty_->setText(
-      tr("There is none yet in %1: practise once, or open a file that bodkin run or bodkin perform wrote.")
+      tr("There is no session in %1 yet: practise once, or open a file that bodkin run or bodkin perform wrote.")
           .arg(QString::fromStdString(folder.string())));
 }
 
-void SessionList::say(const QString& sentence, bool is_trouble) {
+void SessionList::show_message(const QString& sentence, bool is_trouble) {
   line_->setText(sentence);
   line_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
 }

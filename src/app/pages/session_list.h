@@ -11,7 +11,7 @@ class QListWidget;
 
 namespace bodkin::app {
 
-// The sessions that are kept, newest first, to choose one from; others by a dialog or dropped here.
+// The stored sessions, newest first, for selection; others by a dialog or drag and drop.
 class SessionList : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class SessionList : public QWidget {
 
   void show_sessions(const std::vector<KeptSession>& sessions, const std::filesystem::path& folder);
   // One sentence below the list; empty: none.
-  void say(const QString& sentence, bool is_trouble);
+  void show_message(const QString& sentence, bool is_trouble);
 
  signals:
   void chosen(const QString& file);

@@ -44,13 +44,13 @@ QLabel* label(const QString& text, const char* role) {
   return words;
 }
 
-// The patient at the edge of the card; nothing where the picture is not installed.
+// The patient at the edge of the card; nothing if the image is not installed.
 class HeroPicture : public QWidget {
  public:
   HeroPicture() {
     try {
       picture_.load(QString::fromStdString(io::shared_file("app/start.png").string()));
-    } catch (const SystemError&) {  // without a picture the page is as good
+    } catch (const SystemError&) {  // the page does not need the image
     }
   }
 
@@ -144,18 +144,18 @@ QWidget* StartPage::make_side() {
   return side;
 }
 
-// A button for each language but the one that the window speaks, in that language.
+// A button for each language except the window's, in that language.
 void StartPage::add_languages(QVBoxLayout* rows) {
   for (const QString& code : languages()) {
     if (code == spoken_language()) continue;
-    // "American English" of QLocale("en") is not what is meant.
+    // QLocale("en") would give "American English".
     auto* button =
         new QPushButton(code == QLatin1String("en") ? QStringLiteral("English") : QLocale(code).nativeLanguageName());
     button->setObjectName(QStringLiteral("start.language.%1").arg(code));
     button->setProperty("role", QStringLiteral("flat"));
     button->setStyleSheet(QStringLiteral("text-align: left; padding: 9px 12px;"));
     button->setAccessibleName(button->text());
-    button->setToolTip(tr("The window in this language, now and the next time"));
+    button->setToolTip(tr("Show the window in this language, from now on"));
     connect(button, &QPushButton::clicked, this, [this, code] { emit language_requested(code); });
     rows->addWidget(button);
   }
@@ -194,7 +194,7 @@ QWidget* StartPage::make_hero() {
   auto* buttons = new QHBoxLayout;
   auto* begin = new QPushButton(tr("Start lumbar puncture     Enter"));
   begin->setObjectName(QStringLiteral("start.begin"));
-  begin->setToolTip(tr("The first time the patient is made, which takes some seconds"));
+  begin->setToolTip(tr("The first time, the patient has to be made, which takes some seconds"));
   begin->setAccessibleName(tr("Start lumbar puncture"));
   begin->setProperty("role", QStringLiteral("primary"));
   begin->setMinimumHeight(40);
@@ -202,7 +202,7 @@ QWidget* StartPage::make_hero() {
   buttons->addWidget(begin);
   auto* tour = new QPushButton(tr("Two-minute tour     T"));
   tour->setObjectName(QStringLiteral("start.tour"));
-  tour->setToolTip(tr("Look, aim, push, read: four balloons that end by being done"));
+  tour->setToolTip(tr("Look, aim, push, read: four hints that close once you have followed them"));
   tour->setAccessibleName(tr("Two-minute tour"));
   tour->setMinimumHeight(40);
   connect(tour, &QPushButton::clicked, this, &StartPage::tour_requested);
@@ -220,7 +220,7 @@ QWidget* StartPage::make_hero() {
   return hero;
 }
 
-// Every procedure that comes with Bodkin, each on a patient of its own; a click begins.
+// Every procedure supplied with Bodkin, each with its own patient; a click begins.
 QWidget* StartPage::make_procedures() {
   auto* const all = new QWidget;
   auto* const grid = new QGridLayout(all);
@@ -233,7 +233,7 @@ QWidget* StartPage::make_procedures() {
     std::string description;
     try {
       description = training::find_shipped_procedure(std::string(patient.procedure)).description;
-    } catch (const std::exception&) {  // its file is missing; choosing it says so
+    } catch (const std::exception&) {  // its file is missing; choosing it reports that
     }
     QPushButton* const card =
         make_card(QStringLiteral("start.procedure.%1").arg(name), in_words(title), in_words(patient.words));
@@ -249,7 +249,7 @@ QWidget* StartPage::make_procedures() {
   return all;
 }
 
-// A card of one line over the others, with buttons to the right.
+// A one-line card above the others, with buttons on the right.
 struct StartPage::Offer {
   QWidget* card;
   QLabel* words;
@@ -281,9 +281,9 @@ QWidget* StartPage::make_recovered() {
   const Offer offer = make_offer();
   recovered_ = offer.card;
   recovered_words_ = offer.words;
-  connect(offer.add(tr("Review"), "start.recovered.review", tr("See it, as far as it was recorded")),
+  connect(offer.add(tr("Review"), "start.recovered.review", tr("See the part that was recorded")),
           &QPushButton::clicked, this, [this] { emit review_requested(recovered_file_); });
-  connect(offer.add(tr("Forget"), "start.recovered.forget", tr("Offer it no more; the file stays")),
+  connect(offer.add(tr("Forget"), "start.recovered.forget", tr("Do not offer it again; the file stays")),
           &QPushButton::clicked, this, [this] { emit forget_requested(recovered_file_); });
   return recovered_;
 }
@@ -295,7 +295,7 @@ QWidget* StartPage::make_plan() {
   plan_words_->setObjectName(QStringLiteral("start.plan"));
   connect(offer.add(tr("Go on"), "start.plan.continue", tr("The next attempt of the plan")), &QPushButton::clicked,
           this, &StartPage::plan_continued);
-  connect(offer.add(tr("Stop following"), "start.plan.leave", tr("Offer it no more; results stay in the store")),
+  connect(offer.add(tr("Stop following"), "start.plan.leave", tr("Do not offer it again; results stay in the store")),
           &QPushButton::clicked, this, &StartPage::plan_left);
   return plan_;
 }
@@ -360,7 +360,7 @@ void StartPage::show_patients(const std::vector<std::filesystem::path>& folders)
   connect(drop, &QPushButton::clicked, this, &StartPage::open_requested);
 }
 
-void StartPage::say(const QString& sentence, bool is_trouble) {
+void StartPage::show_message(const QString& sentence, bool is_trouble) {
   line_->setText(sentence);
   line_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
 }

@@ -13,22 +13,22 @@ class QPushButton;
 
 namespace bodkin::app {
 
-// What a person can begin with: a procedure on a patient that comes with Bodkin, a patient opened before, or images
-// that are dropped here.
+// The choices at the start: a procedure on a patient supplied with Bodkin, a patient opened before, or images dropped
+// here.
 class StartPage : public QWidget {
   Q_OBJECT
  public:
   explicit StartPage(QWidget* parent = nullptr);
 
-  // Patients that can be opened at once, newest first.
+  // Patients that can be opened immediately, newest first.
   void show_patients(const std::vector<std::filesystem::path>& folders);
-  // One sentence at the foot; empty: none. Trouble is shown as such.
-  void say(const QString& sentence, bool is_trouble);
-  // A session that a crash has cut off is offered on top; empty: none.
+  // One sentence at the bottom; empty: none. Trouble is marked as such.
+  void show_message(const QString& sentence, bool is_trouble);
+  // Offers a session truncated by a crash, at the top; empty: none.
   void offer_recovered(const QString& file);
-  // A training plan that was begun is offered on top; empty: none.
+  // Offers a training plan in progress, at the top; empty: none.
   void offer_plan(const QString& words);
-  // A way to another page, below those that are there.
+  // Adds a button to another page below the existing ones.
   void add_entry(PageId page, const QString& text, const QString& tip);
 
  signals:

@@ -23,7 +23,7 @@ using Step = TourSteps::Step;
 
 constexpr int balloon_width = 330, tail_size = 14, least_drag = 25, ring_free = 34;  // pixels
 
-// Where the tail of the balloon points to, in shares of the page: what the step is about.
+// The target of the balloon's tail, the subject of the step, in fractions of the page.
 struct BalloonText {
   const char* title;
   const char* words;
@@ -32,7 +32,7 @@ struct BalloonText {
 constexpr BalloonText balloons[] = {
     {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Look"),
      QT_TRANSLATE_NOOP("bodkin::app::Tour",
-                       "Turn the patient: drag beside the needle with the left button, or press an arrow key."),
+                       "Turn the patient: drag next to the needle with the left button, or press an arrow key."),
      0.20, 0.45},
     {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Aim"),
      QT_TRANSLATE_NOOP("bodkin::app::Tour",
@@ -44,14 +44,13 @@ constexpr BalloonText balloons[] = {
      0.22, 0.80},
     {QT_TRANSLATE_NOOP("bodkin::app::Tour", "Read"),
      QT_TRANSLATE_NOOP("bodkin::app::Tour",
-                       "Upper left is the tissue that the tip is in, right of it the ladder of what lies on the "
-                       "needle's line. Push on until the name changes."),
+                       "At the upper left is the tissue at the tip, and to the right of it the ladder of the tissues "
+                       "on the needle's line. Push on until the name changes."),
      0.12, 0.12},
     {QT_TRANSLATE_NOOP("bodkin::app::Tour", "That is all"),
-     QT_TRANSLATE_NOOP(
-         "bodkin::app::Tour",
-         "Go on until the fluid: scroll on, slowly at the last give. Space holds the needle, E ends and "
-         "shows how it went, F1 shows every key."),
+     QT_TRANSLATE_NOOP("bodkin::app::Tour",
+                       "Continue until you reach the fluid, slowly at the last puncture. Space holds the needle, E "
+                       "ends and shows the result, F1 shows every key."),
      0.20, 0.30}};
 
 }  // namespace
@@ -78,7 +77,7 @@ Tour::Tour(QWidget* page, View3d* patient)
   auto* row = new QHBoxLayout;
   row->addStretch(1);
   leave_->setObjectName(QStringLiteral("tour.leave"));
-  leave_->setToolTip(tr("Close this and practise on"));
+  leave_->setToolTip(tr("Close this and continue to practise"));
   leave_->setFocusPolicy(Qt::NoFocus);  // keys belong to the views
   connect(leave_, &QPushButton::clicked, this, &Tour::end);
   row->addWidget(leave_);
@@ -117,7 +116,7 @@ std::optional<QPoint> Tour::ring(const Frame& frame) const {
   return patient_->mapTo(parentWidget(), there);
 }
 
-// The balloon that speaks of the ring points at it and leaves it free.
+// The balloon about the ring points at it and does not cover it.
 void Tour::place(const Frame& frame) {
   const BalloonText& text = balloons[static_cast<int>(shown_)];
   const QSize page = parentWidget()->size();

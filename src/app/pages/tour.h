@@ -12,14 +12,14 @@ class QPushButton;
 
 namespace bodkin::app {
 
-// The balloon of the two-minute tour, over the page on which the needle goes in: says one thing to do, and goes on
-// when it is done.
+// The balloon of the two-minute tour, over the practice page: shows one instruction, and the next one when the user
+// has followed it.
 class Tour : public QWidget {
   Q_OBJECT
  public:
-  // `page`: over which it lies; `patient`: the view that is turned, and that has the ring.
+  // `page`: below it; `patient`: the view to turn, which has the ring.
   Tour(QWidget* page, View3d* patient);
-  // Where the ring on the skin is on the page; nothing where it is not seen.
+  // The position on the page of the ring on the skin; empty if it is not visible.
   std::optional<QPoint> ring(const Frame& frame) const;
 
   void begin();

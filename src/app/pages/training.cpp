@@ -125,7 +125,7 @@ QWidget* TrainingPage::make_side() {
   auto* open = new QPushButton(tr("Open a plan..."));
   open->setObjectName(QStringLiteral("training.open"));
   open->setAccessibleName(tr("Open a plan"));
-  open->setToolTip(tr("A file that a teacher has written"));
+  open->setToolTip(tr("Open a plan that a teacher has written"));
   connect(open, &QPushButton::clicked, this, &TrainingPage::open_plan);
   rows->addWidget(open);
   auto* who = training_label("training.who", "second");
@@ -141,7 +141,7 @@ QWidget* TrainingPage::make_side() {
   rows->addWidget(trainee_);
   follow_ = new QPushButton(tr("Begin     Enter"));
   follow_->setObjectName(QStringLiteral("training.follow"));
-  follow_->setAccessibleName(tr("Begin, or go on"));
+  follow_->setAccessibleName(tr("Begin, or continue"));
   follow_->setToolTip(tr("The next attempt of this plan"));
   follow_->setProperty("role", QStringLiteral("primary"));
   follow_->setMinimumHeight(40);
@@ -217,7 +217,7 @@ void TrainingPage::choose(const QString& plan) {
   look();
 }
 
-// The answer comes later: the store may be a server.
+// The answer arrives later: the store may be a server.
 void TrainingPage::look() {
   if (looking_.valid()) {
     look_again_ = true;
@@ -262,7 +262,7 @@ void TrainingPage::show_standing() {
             .arg(in_words(stage.title).toHtmlEscaped(), faint, without_words(stage.aids), state);
   }
   stages_->setText(text + QStringLiteral("</table>"));
-  // The procedure of the stage that is to be done; where the case names it, the one that was practised last.
+  // The procedure of the stage to be done; if the case names it, the one practised last.
   std::vector<training::AttemptSummary> curve;
   std::string latest;
   if (procedure.empty()) {

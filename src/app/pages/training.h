@@ -17,7 +17,7 @@ namespace bodkin::app {
 class LearningCurve : public QWidget {
  public:
   explicit LearningCurve(QWidget* parent = nullptr);
-  // In the order of time, of one procedure; none: an empty picture says so.
+  // In the order of time, of one procedure; none: a message in an empty figure.
   void show_attempts(const std::vector<training::AttemptSummary>& attempts);
   std::size_t attempts() const { return attempts_; }
 
@@ -29,7 +29,7 @@ class LearningCurve : public QWidget {
   std::size_t attempts_ = 0;
 };
 
-// A trainee chooses a plan, sees its stages and how far he is, and begins or goes on.
+// Selection of a trainee's plan, its stages and progress, and the start of the next attempt.
 class TrainingPage : public Page {
   Q_OBJECT
  public:
@@ -40,7 +40,7 @@ class TrainingPage : public Page {
   void advance(double clock) override;
   bool press(const QKeySequence& keys) override;
 
-  // Another plan, a name or a file.
+  // Selects another plan, a name or a file.
   void choose(const QString& plan);
   // The standing of the chosen plan and trainee has been looked up.
   bool is_ready() const { return !looking_.valid(); }

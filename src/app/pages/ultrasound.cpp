@@ -19,7 +19,7 @@ using namespace views;
 
 namespace {
 
-// The name of a case as the beginning of a file's name.
+// A case's name as the beginning of a file name.
 std::string scan_name(std::string name) {
   const auto is_odd = [](char c) { return c == '/' || c == '\\' || c == ' '; };
   std::replace_if(name.begin(), name.end(), is_odd, '_');
@@ -89,15 +89,15 @@ void UltrasoundPage::begin(std::shared_ptr<const OpenCase> patient) {
     view_->set_scan(choice, station::needle_of(request_, patient_->patient));
     const station::LiveScan& scan = *view_->scan();
     machine_ = std::make_unique<ProbeMachine>(patient_, choice,
-                                              ProbeMachine::Wish{{scan.pose(), scan.settings()}, scan.needle()});
-    say(tr("Drag slides the probe, the wheel presses it. H: all keys, Esc: back"), false);
+                                              ProbeMachine::Request{{scan.pose(), scan.settings()}, scan.needle()});
+    show_message(tr("Drag slides the probe, the wheel presses it. H: all keys, Esc: back"), false);
   } catch (const std::exception& trouble) {  // no skin there, no such probe
-    say(in_words(trouble.what()), true);
+    show_message(in_words(trouble.what()), true);
   }
   view_->setFocus(Qt::OtherFocusReason);
 }
 
-void UltrasoundPage::say(const QString& sentence, bool is_trouble) {
+void UltrasoundPage::show_message(const QString& sentence, bool is_trouble) {
   line_->setText(sentence);
   line_->setStyleSheet(is_trouble ? QStringLiteral("color: %1;").arg(Theme::now().danger.name()) : QString());
 }
@@ -107,16 +107,16 @@ void UltrasoundPage::advance(double clock) {
     if (std::shared_ptr<const OpenCase> opened = cases_.take()) return begin(std::move(opened));
     const CaseModel::Status status = cases_.status();
     if (status.is_busy) {
-      say(tr("Preparing the patient: %1").arg(in_words(status.stage)), false);
+      show_message(tr("Preparing the patient: %1").arg(in_words(status.stage)), false);
     } else if (!status.error.empty()) {
-      say(in_words(status.error), true);
+      show_message(in_words(status.error), true);
     }
     return;
   }
   const station::LiveScan& scan = *view_->scan();
-  const std::optional<imaging::NeedleInSound> needle = scan.needle();
+  const std::optional<imaging::NeedleInUltrasound> needle = scan.needle();
   machine_->set({{scan.pose(), scan.settings()}, needle});
-  if (std::string trouble = machine_->take_trouble(); !trouble.empty()) view_->say(trouble);
+  if (std::string trouble = machine_->take_trouble(); !trouble.empty()) view_->show_message(trouble);
   picture_ = machine_->picture();
   Frame frame;
   frame.clock = clock;
@@ -146,11 +146,11 @@ void UltrasoundPage::save_picture() {
     base = std::filesystem::path(folder.toStdString()) / scan_name(patient_->description().name);
   }
   try {
-    const imaging::MarkSide mark = station::choose_ultrasound(request_).mark;
+    const imaging::OrientationMarkerSide mark = station::choose_ultrasound(request_).mark;
     const std::filesystem::path file = save_scan_picture(scan.screen(), mark, patient_->patient, scan.needle(), base);
-    view_->say("Saved " + file.string());
-  } catch (const std::exception& failed) {  // a full disk ends no scan
-    view_->say(failed.what());
+    view_->show_message("Saved " + file.string());
+  } catch (const std::exception& failed) {  // a full disk does not end a scan
+    view_->show_message(failed.what());
   }
 }
 

@@ -54,7 +54,7 @@ QString value_text(const training::MetricResult& result) {
 
 }  // namespace
 
-std::vector<training::MetricResult> telling_numbers(const training::Score& score) {
+std::vector<training::MetricResult> key_numbers(const training::Score& score) {
   std::vector<training::MetricResult> chosen;
   for (const bool of_experts : {true, false}) {
     for (const std::string_view name : telling) {
@@ -115,7 +115,7 @@ VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
   rows_ = new QVBoxLayout(inner);
   rows_->setContentsMargins(14, 10, 14, 10);
   rows_->setSpacing(8);
-  said_ = add("review.said", "plain");
+  message_ = add("review.said", "plain");
   grade_ = add("review.grade", "heading");
   headline_ = add("review.headline", "heading");
   note_ = add("review.note", "second");
@@ -127,7 +127,7 @@ VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
   rows_->addStretch(1);
   area->setWidget(inner);
   whole->addWidget(area);
-  said_->hide();
+  message_->hide();
 }
 
 QLabel* VerdictPanel::add(const char* name, const char* role) {
@@ -140,15 +140,15 @@ QLabel* VerdictPanel::add(const char* name, const char* role) {
   return label;
 }
 
-void VerdictPanel::say(const QString& sentence, bool is_trouble) {
-  said_->setVisible(!sentence.isEmpty());
-  said_->setText(sentence);
-  said_->setStyleSheet(
+void VerdictPanel::show_message(const QString& sentence, bool is_trouble) {
+  message_->setVisible(!sentence.isEmpty());
+  message_->setText(sentence);
+  message_->setStyleSheet(
       QStringLiteral("color: %1;").arg((is_trouble ? Theme::now().danger : Theme::now().accent).name()));
 }
 
 void VerdictPanel::show_recording(const Recording& recording) {
-  say({}, false);
+  show_message({}, false);
   while (QLayoutItem* item = gauges_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -174,7 +174,7 @@ void VerdictPanel::show_recording(const Recording& recording) {
   QStringList sentences;
   for (const training::Finding& each : score->findings) sentences << in_words(each.sentence);
   findings_->setText(sentences.join(QStringLiteral("\n\n")));
-  for (const training::MetricResult& each : telling_numbers(*score)) gauges_->addWidget(new BandGauge(each));
+  for (const training::MetricResult& each : key_numbers(*score)) gauges_->addWidget(new BandGauge(each));
   const QString faint = Theme::now().second.name();
   QString text;
   if (!score->steps.empty()) {

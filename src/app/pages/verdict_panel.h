@@ -9,7 +9,7 @@ class QVBoxLayout;
 
 namespace bodkin::app {
 
-// A number of an attempt on an axis with the band of the experts.
+// A number of an attempt on an axis with the range of the experts.
 class BandGauge : public QWidget {
  public:
   explicit BandGauge(const training::MetricResult& result, QWidget* parent = nullptr);
@@ -21,23 +21,23 @@ class BandGauge : public QWidget {
   training::MetricResult result_;
 };
 
-// How an attempt went: the verdict and its reasons, the worst first, three numbers against the band of the experts,
-// the steps of the procedure and every measure.
+// The result of an attempt: the verdict and its reasons, the worst first, three numbers against the range of the
+// experts, the steps of the procedure and every metric.
 class VerdictPanel : public QWidget {
   Q_OBJECT
  public:
   explicit VerdictPanel(QWidget* parent = nullptr);
 
   void show_recording(const Recording& recording);
-  // One sentence on top, such as where a report lies; empty: none.
-  void say(const QString& sentence, bool is_trouble);
+  // One sentence at the top, such as the path of a report; empty: none.
+  void show_message(const QString& sentence, bool is_trouble);
 
  private:
   QLabel* add(const char* name, const char* role);
 
   QVBoxLayout* rows_;
   QVBoxLayout* gauges_;
-  QLabel* said_;
+  QLabel* message_;
   QLabel* grade_;
   QLabel* headline_;
   QLabel* note_;
@@ -45,7 +45,7 @@ class VerdictPanel : public QWidget {
   QLabel* details_;
 };
 
-// The numbers of an attempt that a person should see first: at most three, those that experts have before others.
-std::vector<training::MetricResult> telling_numbers(const training::Score& score);
+// The most important numbers of an attempt: at most three, those with expert ranges first.
+std::vector<training::MetricResult> key_numbers(const training::Score& score);
 
 }  // namespace bodkin::app

@@ -189,7 +189,7 @@ void VolumePage::use_sliders() {
   view_->set_look(look);
 }
 
-// What was drawn by hand is what the sliders adjust from now on.
+// The sliders adjust the curve drawn by hand from now on.
 void VolumePage::use_curve(const imaging::TransferFunction& function) {
   base_ = function;
   for (QSlider* slider : {shift_, density_}) {

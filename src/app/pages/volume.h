@@ -21,7 +21,7 @@ using namespace views;
 class VolumePage : public Page {
   Q_OBJECT
  public:
-  // `frame`: the newest frame of the practice, whose needle and plan are drawn.
+  // `frame`: the newest frame of the practice, with the needle and plan to draw.
   explicit VolumePage(std::function<const Frame&()> frame, QWidget* parent = nullptr);
 
   void set_case(std::shared_ptr<const OpenCase> patient) override;
@@ -49,7 +49,7 @@ class VolumePage : public Page {
   QLabel* drawn_by_ = nullptr;
   QSlider *shift_ = nullptr, *density_ = nullptr;
   QCheckBox *shaded_ = nullptr, *tissues_ = nullptr;
-  imaging::TransferFunction base_;  // what the sliders adjust
+  imaging::TransferFunction base_;  // before the sliders' changes
   bool entered_ = false;
 };
 

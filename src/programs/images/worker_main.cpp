@@ -1,7 +1,6 @@
 // bodkin-images: the image worker (see io/image_worker.h). `bodkin-images VERB` reads one JSON object from standard
 // input and writes one JSON object per line to standard output: {"progress", "fraction"}, {"note"}, {"error",
-// "kind"},
-// {"result"}. It is started by Bodkin, not by people.
+// "kind"}, {"result"}. Bodkin starts it; it is not for users.
 
 #include <algorithm>
 #include <array>
@@ -33,21 +32,21 @@ using nlohmann::json;
 
 constexpr int voxel_descriptor = 3;  // inherited shared memory that takes the voxels of `read`
 
-void say(const json& message) {
+void send_message(const json& message) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   std::cout << message.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
 }
 
 void report_progress(std::string_view stage, double fraction) {
-  say({{"progress", std::string(stage)}, {"fraction", fraction}});
+  send_message({{"progress", std::string(stage)}, {"fraction", fraction}});
 }
 
 json point(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-// Doubles in JSON come back to the bit: nlohmann writes the shortest text that does.
+// Doubles survive JSON to the bit: nlohmann writes the shortest text that does so.
 json grid_json(const anatomy::Grid& grid) {
   std::vector<double> numbers(grid.spacing.data(), grid.spacing.data() + 3);
   numbers.insert(numbers.end(), grid.direction.data(), grid.direction.data() + 9);
@@ -66,7 +65,7 @@ void hand_over(const anatomy::Volume<Voxel>& volume) {
     bytes += count;
     left -= static_cast<std::size_t>(count);
   }
-  say({{"result", grid_json(volume.grid)}});
+  send_message({{"result", grid_json(volume.grid)}});
 }
 
 void read_image(const json& request) {
@@ -74,7 +73,7 @@ void read_image(const json& request) {
   const std::string kind = request.at("kind");
   if (kind == "ct") {
     const io::CtImage image = io::read_ct(path, {}, report_progress);
-    for (const std::string& note : image.notes) say({{"note", note}});
+    for (const std::string& note : image.notes) send_message({{"note", note}});
     hand_over(image.ct);
   } else if (kind == "labels") {
     hand_over(io::read_labels(path, report_progress));
@@ -142,8 +141,8 @@ json summary_json(const patient::CaseSummary& summary) {
 }
 
 void finish_case(const patient::CaseSummary& summary) {
-  for (const std::string& note : summary.description.notes) say({{"note", note}});
-  say({{"result", summary_json(summary)}});
+  for (const std::string& note : summary.description.notes) send_message({{"note", note}});
+  send_message({{"result", summary_json(summary)}});
 }
 
 void make_imported_case(const json& request) {
@@ -189,7 +188,7 @@ void list_series(const json& request) {
                       {"rows", one.rows},
                       {"folder", one.slices.front().file.parent_path().string()}});
   }
-  say({{"result", {{"series", series}, {"other_objects", folder.other_objects.size()}}}});
+  send_message({{"result", {{"series", series}, {"other_objects", folder.other_objects.size()}}}});
 }
 
 template <typename Voxel>
@@ -216,7 +215,7 @@ anatomy::Grid grid_from(const json& request) {
   return grid;
 }
 
-// The shared memory holds the CT, then the mask; afterwards the new mask alone.
+// The shared memory holds the CT, then the mask; afterwards only the new mask.
 void filter_segment(const json& request) {
   anatomy::CtVolume ct(grid_from(request));
   patient::MaskVolume mask(ct.grid);
@@ -258,8 +257,8 @@ void relabel(const json& request) {
   wanted.rules.margin = rules.at("margin_mm");
   wanted.rules.cord_margin = rules.at("cord_margin_mm");
   const patient::RelabelledCase saved = patient::relabel_case(wanted, report_progress);
-  for (const std::string& note : saved.notes) say({{"note", note}});
-  say({{"result", {{"changed_tissue_voxels", saved.changed_tissue_voxels}}}});
+  for (const std::string& note : saved.notes) send_message({{"note", note}});
+  send_message({{"result", {{"changed_tissue_voxels", saved.changed_tissue_voxels}}}});
 }
 
 int run(const std::string& verb) {
@@ -285,7 +284,7 @@ int run(const std::string& verb) {
 }
 
 int fail(const std::string& sentence, const char* kind) {
-  say({{"error", sentence}, {"kind", kind}});
+  send_message({{"error", sentence}, {"kind", kind}});
   return kind == std::string("system") ? 1 : 2;
 }
 

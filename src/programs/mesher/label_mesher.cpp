@@ -24,17 +24,17 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 using Point = Kernel::Point_3;
 
-// CGAL bounds radii, people think in edges: with these the mean edge comes out as asked (tests/cli measures it).
+// CGAL bounds radii, users specify edges: with these the mean edge is as requested (tests/cli measures it).
 constexpr double cell_radius = 0.82;   // circumradius / edge
 constexpr double facet_radius = 0.75;  // radius of the surface ball / edge
 constexpr double facet_error = 0.12;   // distance of a facet from the interface / edge
 constexpr double facet_angle = 25.0;   // degrees, smallest of a facet
 constexpr double radius_to_edge = 2.0;
-constexpr double sliver_bound = 12.0;        // degrees of dihedral angle that the improvement aims at
+constexpr double sliver_bound = 12.0;        // degrees of dihedral angle, goal of the improvement
 constexpr double intersection_error = 1e-5;  // of the box's diagonal
 constexpr double first_points = 2.5;         // wanted edges between the first points on the interfaces
 
-// The lattice as CGAL asks about it.
+// The lattice in the form that CGAL queries.
 class Field {
  public:
   explicit Field(const LabelLattice& lattice)
@@ -114,7 +114,7 @@ class Field {
   std::array<std::size_t, 3> stride_;
 };
 
-// The wanted edge times a factor, as a sizing field; every few thousandth question is a sign of life.
+// The wanted edge times a factor, as a sizing field; every few thousand queries it reports progress.
 class Sizing {
  public:
   using FT = double;
@@ -135,7 +135,7 @@ class Sizing {
 };
 
 // Points where neighbouring voxels differ, about `first_points` edges from each other, so that refinement finds every
-// piece of every label however small.
+// piece of every label, however small.
 void insert_first_points(const Field& field, const Domain& domain, Complex& complex) {
   const LabelLattice& lattice = field.lattice();
   std::unordered_map<std::uint64_t, bool> taken;  // a cell of space and its pair of labels

@@ -1,6 +1,6 @@
 // bodkin-mesher: the meshing worker (see io/mesh/mesher.h). It reads one JSON object from standard input and labels
-// and edge lengths from file descriptor 3, writes the mesh back there, and says one JSON object per line on standard
-// output: {"progress", "fraction"}, {"error", "kind"}, {"result"}. It is started by Bodkin, not by people.
+// and edge lengths from file descriptor 3, writes the mesh back there, and writes one JSON object per line on
+// standard output: {"progress", "fraction"}, {"error", "kind"}, {"result"}. Bodkin starts it; it is not for users.
 
 #include <cerrno>
 #include <cstdio>
@@ -33,7 +33,7 @@ version 3 or later, and so this program as a whole is. The bodkin command and th
 under the Apache License 2.0. https://www.cgal.org, https://www.gnu.org/licenses/gpl-3.0.html
 )";
 
-void say(const json& message) {
+void send_message(const json& message) {
   std::cout << message.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
 }
 
@@ -78,7 +78,7 @@ int run() {
   read_all(lattice.edges.data(), voxels * sizeof(float));
 
   const LabelMesh mesh = mesh_labels(lattice, meshing, [](const char* stage, double fraction) {
-    say({{"progress", stage}, {"fraction", fraction}});
+    send_message({{"progress", stage}, {"fraction", fraction}});
   });
   if (ftruncate(shared_descriptor, 0) != 0 || lseek(shared_descriptor, 0, SEEK_SET) != 0) {
     throw SystemError("the mesh cannot be handed over");
@@ -86,13 +86,14 @@ int run() {
   write_all(mesh.nodes);
   write_all(mesh.elements);
   write_all(mesh.labels);
-  say({{"result",
+  send_message(
+      {{"result",
         {{"nodes", mesh.nodes.size()}, {"elements", mesh.elements.size()}, {"refined_nodes", mesh.node_count}}}});
   return 0;
 }
 
 int fail(const std::string& sentence, const char* kind, int exit_code) {
-  say({{"error", sentence}, {"kind", kind}});
+  send_message({{"error", sentence}, {"kind", kind}});
   return exit_code;
 }
 

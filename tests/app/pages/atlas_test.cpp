@@ -22,7 +22,7 @@ const patient::Atlas& atlas_of_tests() {
   return atlas;
 }
 
-// Shows the page and waits for its body; null where that does not come.
+// Shows the page and waits for its body; null if it does not appear.
 AtlasView* opened(AtlasPage& page) {
   page.resize(900, 600);
   page.show();
@@ -79,7 +79,7 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   EXPECT_TRUE(card->text().contains(QStringLiteral("Zusanli")));
   EXPECT_TRUE(card->text().contains(QStringLiteral("22 to 45 mm")));
   EXPECT_FALSE(card->text().contains(QStringLiteral("Luo-connecting")));
-  // A luo-connecting point tells where its collateral goes.
+  // A luo-connecting point shows the end of its collateral.
   search->clear();
   QTest::keyClicks(search, QStringLiteral("luo"));
   EXPECT_GE(list->count(), 15);
@@ -91,7 +91,7 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   search->clear();
   QTest::keyClicks(search, QStringLiteral("st36"));
   QTest::keyClick(search, Qt::Key_Return);
-  // The view has come to the point: it is near the middle, and a click there chooses it.
+  // The view has moved to the point: it is near the middle, and a click there selects it.
   const patient::AtlasPoint& point = *atlas_of_tests().find("ST36");
   const auto at = view->place_of(point.place);
   ASSERT_TRUE(at.has_value());
@@ -99,19 +99,19 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   EXPECT_NEAR(at->y(), 0.5 * view->height(), 3.0);
 
   QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.find")), Qt::LeftButton);
-  EXPECT_TRUE(view->said().startsWith(QStringLiteral("Where is ")));
+  EXPECT_TRUE(view->message().startsWith(QStringLiteral("Where is ")));
   QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, QPoint(view->width() / 2, view->height() / 3));
-  EXPECT_TRUE(view->said().contains(QStringLiteral("mm off"))) << view->said().toStdString();
+  EXPECT_TRUE(view->message().contains(QStringLiteral("mm off"))) << view->message().toStdString();
   EXPECT_TRUE(page.findChild<QLabel*>(QStringLiteral("atlas.score"))->text().contains(QStringLiteral("of 1 found")));
 
-  // The next point is to be needled as well: nothing is given away, and its case is asked for.
+  // The next point is also to be needled: nothing is revealed, and its case is requested.
   QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.both")), Qt::LeftButton);
   std::string asked;
   std::optional<QPointF> there;
   Vec3 wanted = Vec3::Zero();
   for (int question = 0; question < 30 && !there; ++question) {  // another one where an arm hides it
     QTest::mouseClick(page.findChild<QPushButton*>(QStringLiteral("atlas.find")), Qt::LeftButton);
-    asked = view->said().section(QStringLiteral("Where is "), 1).section(QLatin1Char(','), 0, 0).toStdString();
+    asked = view->message().section(QStringLiteral("Where is "), 1).section(QLatin1Char(','), 0, 0).toStdString();
     wanted = atlas_of_tests().find(asked)->place;
     view->look_at(wanted, atlas_of_tests().find(asked)->normal);
     there = view->place_of(wanted);
@@ -124,7 +124,7 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
     at_place = place;
   });
   QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, there->toPoint());
-  EXPECT_FALSE(view->said().contains(QStringLiteral("mm off")));
+  EXPECT_FALSE(view->message().contains(QStringLiteral("mm off")));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         page.advance(0.0);
@@ -135,7 +135,7 @@ TEST(AtlasPage, finds_a_point_by_search_shows_its_card_and_plays_the_game) {
   EXPECT_LT((at_place - wanted).norm(), 12.0);
 }
 
-// A needle of a device stands for the pointer: what it touches is lit, named and its card shown.
+// A device's needle acts as the pointer: the point that it touches is highlighted, named and its card shown.
 TEST(AtlasPage, the_needle_of_a_device_touches_points) {
   const QTemporaryDir folder;
   AtlasPage page(folder.path().toStdString());
@@ -145,7 +145,7 @@ TEST(AtlasPage, the_needle_of_a_device_touches_points) {
   auto* card = page.findChild<QLabel*>(QStringLiteral("atlas.card"));
   QTest::mouseClick(touch, Qt::LeftButton);
   EXPECT_FALSE(touch->isChecked()) << "there is only the mouse";
-  EXPECT_TRUE(view->said().contains(QStringLiteral("Choose a device")));
+  EXPECT_TRUE(view->message().contains(QStringLiteral("Choose a device")));
 
   // With the hand in the middle of the workspace the tip is where the view looks; up is up, right is the viewer's.
   const patient::AtlasPoint& point = *atlas_of_tests().find("ST36");
@@ -170,11 +170,11 @@ TEST(AtlasPage, the_needle_of_a_device_touches_points) {
         return view->tip().has_value();
       },
       60000))
-      << view->said().toStdString();
+      << view->message().toStdString();
   page.leave();
   EXPECT_FALSE(touch->isChecked());
   EXPECT_FALSE(view->tip().has_value());
-  // One that does not open: its sentence, and nothing else.
+  // A device that does not open: only its sentence.
   page.set_device(station::DeviceChoice{haptics::find_driver("force_dimension"), "", "library=/nowhere/libdrd.so"});
   QTest::mouseClick(touch, Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor(
@@ -183,7 +183,7 @@ TEST(AtlasPage, the_needle_of_a_device_touches_points) {
         return !touch->isChecked();
       },
       60000));
-  EXPECT_TRUE(view->said().contains(QStringLiteral("/nowhere/libdrd.so"))) << view->said().toStdString();
+  EXPECT_TRUE(view->message().contains(QStringLiteral("/nowhere/libdrd.so"))) << view->message().toStdString();
 }
 
 }  // namespace

@@ -90,8 +90,8 @@ class CameraPageTest : public testing::Test {
 TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_patient) {
   const tracking::Footage footage = render("footage");
   start(footage.folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 1; })) << line();
-  // The truth that the footage carries, through the same place of the patient.
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 1; })) << line();
+  // The truth of the footage, through the same place of the patient.
   const auto patient = layered_patient();
   const tracking::Similarity place = tracking::placed_at(patient->patient, tracking::scene_skin());
   const std::vector<tracking::MarkerBody> bodies = tracking::station_bodies();
@@ -102,35 +102,35 @@ TEST_F(CameraPageTest, shows_the_needle_and_the_probe_where_they_are_in_the_pati
   const std::vector<Pose>& truth = footage.frames.front().camera_from_body;
   const Pose needle =
       tracking::tool_in_patient(bodies[index("needle")], truth[index("needle")], truth[index("mannequin")], place);
-  ASSERT_TRUE(page_.news().needle.has_value());
-  EXPECT_LT((page_.news().needle->translation() - needle.translation()).norm(), 2.0);
-  EXPECT_GT(page_.news().needle->linear().col(2).dot(needle.linear().col(2)), 0.9995);
-  // What the slices show is that needle, and their crosshair its tip.
-  EXPECT_EQ(page_.frame().needle.matrix(), page_.news().needle->matrix());
-  EXPECT_EQ(page_.frame().crosshair, page_.news().needle->translation());
+  ASSERT_TRUE(page_.camera_status().needle.has_value());
+  EXPECT_LT((page_.camera_status().needle->translation() - needle.translation()).norm(), 2.0);
+  EXPECT_GT(page_.camera_status().needle->linear().col(2).dot(needle.linear().col(2)), 0.9995);
+  // The slices show that needle, with the crosshair at its tip.
+  EXPECT_EQ(page_.frame().needle.matrix(), page_.camera_status().needle->matrix());
+  EXPECT_EQ(page_.frame().crosshair, page_.camera_status().needle->translation());
   // A row for each body, in the words of the tracker.
   auto* const table = find<QTableWidget>("camera.bodies.table");
   ASSERT_EQ(table->rowCount(), static_cast<int>(footage.bodies.size()));
   for (int row = 0; row < table->rowCount(); ++row) {
     EXPECT_EQ(table->item(row, 1)->text().toStdString(),
-              tracking::name_of(page_.news().bodies[static_cast<std::size_t>(row)].status));
+              tracking::name_of(page_.camera_status().bodies[static_cast<std::size_t>(row)].status));
   }
   // The tracked probe holds the ultrasound.
-  if (page_.news().probe) {
+  if (page_.camera_status().probe) {
     EXPECT_TRUE(wait([&] { return find<UltrasoundView>("camera.ultrasound")->scan() != nullptr; }));
     EXPECT_TRUE(wait([&] { return find<CameraPicture>("camera.ct")->picture() != nullptr; }))
         << "the CT in its plane";
   }
   EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
-  // The patient is drawn over the camera's picture, and nothing outside of the oval but needle and path.
+  // The patient is drawn over the camera's picture, and outside the oval only needle and path.
   const imaging::ImageRgb raw = tracking::read_picture(footage.folder / footage.frames.front().file);
-  const imaging::ImageRgb& shown = *page_.news().picture;
+  const imaging::ImageRgb& shown = *page_.camera_status().picture;
   std::size_t changed = 0;
   for (std::size_t i = 0; i < raw.pixels.size(); ++i) changed += raw.pixels[i] == shown.pixels[i] ? 0 : 1;
   EXPECT_GT(changed, 2000U);
   EXPECT_NEAR(raw.at(2, raw.height - 3).green, shown.at(2, shown.height - 3).green, 3);
   QTest::mouseClick(find<QPushButton>("camera.start"), Qt::LeftButton);
-  EXPECT_EQ(page_.news().number, 0U);
+  EXPECT_EQ(page_.camera_status().number, 0U);
   EXPECT_EQ(table->rowCount(), 0) << "what is not seen now is not shown as if it were";
 }
 
@@ -171,8 +171,8 @@ TEST_F(CameraPageTest, slices_show_the_tissue_that_the_probe_has_pressed) {
   start(render("pressing").folder);
   ASSERT_TRUE(wait([&] { return page_.frame().moved_tissue != nullptr; })) << line();
   const auto pressed = [&] {
-    if (page_.frame().moved_tissue == nullptr || !page_.news().probe) return 0.0;
-    Vec3 skin = page_.news().probe->translation();
+    if (page_.frame().moved_tissue == nullptr || !page_.camera_status().probe) return 0.0;
+    Vec3 skin = page_.camera_status().probe->translation();
     skin.y() = -1.0;
     return -page_.frame().moved_tissue->of(skin).y();
   };
@@ -180,7 +180,7 @@ TEST_F(CameraPageTest, slices_show_the_tissue_that_the_probe_has_pressed) {
   EXPECT_LT(pressed(), 12.0);
 }
 
-// The probe only touches: what moves is what the session's needle pushes.
+// The probe only touches: only the session's needle moves the tissue.
 TEST_F(CameraPageTest, slices_show_the_tissue_that_the_needle_of_a_session_pushes) {
   anatomy::EmbeddedNeedleSettings settings;
   settings.body.stiffness_scale = 0.3;
@@ -191,12 +191,12 @@ TEST_F(CameraPageTest, slices_show_the_tissue_that_the_needle_of_a_session_pushe
   options.height = 360;
   options.rate = 10.0;
   options.path = 42.0;
-  options.frames = static_cast<int>(std::ceil(tracking::length_of_way(options) * options.rate));
+  options.frames = static_cast<int>(std::ceil(tracking::motion_duration(options) * options.rate));
   options.look.samples = 3;
   const tracking::Footage footage = tracking::render_scene(folder("attempt"), options);
   qputenv("XDG_DATA_HOME", made_.path().toUtf8());
   start(footage.folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
   QTest::mouseClick(find<QPushButton>("camera.record"), Qt::LeftButton);
   double most = 0.0;
   ASSERT_TRUE(wait([&] {
@@ -210,10 +210,10 @@ TEST_F(CameraPageTest, slices_show_the_tissue_that_the_needle_of_a_session_pushe
   qunsetenv("XDG_DATA_HOME");
 }
 
-// Every picture that is painted counts once, from before it was decoded.
+// Every painted image counts once, from before its decoding.
 TEST_F(CameraPageTest, knows_how_long_a_picture_takes_from_its_arrival_until_it_is_painted) {
   const tracking::Footage footage = render("latency");
-  double decoding = 1e9;  // s; the least of some, for others use the machine, too
+  double decoding = 1e9;  // s; the minimum of several, as others use the machine, too
   for (int i = 0; i < 5; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     tracking::read_picture(footage.folder / footage.frames.front().file);
@@ -221,14 +221,14 @@ TEST_F(CameraPageTest, knows_how_long_a_picture_takes_from_its_arrival_until_it_
   }
   start(footage.folder);
   ASSERT_TRUE(wait([&] { return page_.latencies().size() > 9; })) << line();
-  EXPECT_LE(page_.latencies().size(), page_.news().number);
+  EXPECT_LE(page_.latencies().size(), page_.camera_status().number);
   std::vector<double> sorted(page_.latencies().begin(), page_.latencies().end());
   std::sort(sorted.begin(), sorted.end());
   EXPECT_GT(sorted.front(), 0.3 * decoding);
   EXPECT_LT(sorted[sorted.size() / 2], 60.0);
   std::printf("from arrival to painted: median %.0f ms, %.0f ms at most\n", 1000.0 * sorted[sorted.size() / 2],
               1000.0 * sorted.back());
-  // What is painted again, as when the window is uncovered, is no new picture.
+  // A repaint, as when the window is uncovered, is not a new image.
   page_.stop();
   const std::size_t count = page_.latencies().size();
   find<CameraPicture>("camera.picture")->repaint();
@@ -237,7 +237,7 @@ TEST_F(CameraPageTest, knows_how_long_a_picture_takes_from_its_arrival_until_it_
   EXPECT_TRUE(page_.latencies().empty());
 }
 
-// The pictures go on while their needle is recorded; the session ends with the footage and is judged.
+// The images continue during the recording; the session ends with the footage and is scored.
 TEST_F(CameraPageTest, records_a_session_with_the_needle_that_it_shows) {
   // A session keeps the description of its case, so there must be one on the disk.
   auto patient = std::make_shared<OpenCase>(*layered_patient());
@@ -251,26 +251,26 @@ TEST_F(CameraPageTest, records_a_session_with_the_needle_that_it_shows) {
   options.height = 360;
   options.rate = 10.0;
   options.path = layered_patient()->description().procedure.path->length();
-  options.frames = static_cast<int>(std::ceil(tracking::length_of_way(options) * options.rate));
+  options.frames = static_cast<int>(std::ceil(tracking::motion_duration(options) * options.rate));
   options.look.samples = 3;
   const tracking::Footage footage = tracking::render_scene(folder("attempt"), options);
   qputenv("XDG_DATA_HOME", made_.path().toUtf8());
   start(footage.folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
   auto* const record = find<QPushButton>("camera.record");
   auto* const review = find<QPushButton>("camera.review");
   EXPECT_FALSE(review->isEnabled());
   QTest::mouseClick(record, Qt::LeftButton);
   ASSERT_TRUE(page_.is_recording());
   ASSERT_TRUE(wait([&] { return line().starts_with("Recording") || !page_.is_recording(); })) << line();
-  const auto shown = page_.news().number;
+  const auto shown = page_.camera_status().number;
   ASSERT_TRUE(wait([&] { return !page_.is_recording(); })) << line();
-  EXPECT_NE(page_.news().number, shown) << "the pictures went on";
+  EXPECT_NE(page_.camera_status().number, shown) << "the pictures went on";
   ASSERT_TRUE(page_.result().has_value()) << line();
   EXPECT_TRUE(review->isEnabled());
   const session::Session session = session::read_session(page_.result()->session);
   EXPECT_TRUE(session.finished);
-  // It went along the path, to its end.
+  // It moved along the path to its end.
   const anatomy::NeedlePath path = session.header.path;
   double deepest = -1e9, aside = 0.0;
   for (const auto& tick : session.ticks) {
@@ -287,11 +287,11 @@ TEST_F(CameraPageTest, records_a_session_with_the_needle_that_it_shows) {
 
 TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
   start(render("footage").folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
   const auto drawn = [&] {
-    const std::uint64_t before = page_.news().number;
-    EXPECT_TRUE(wait([&] { return page_.news().number > before + 1; }));
-    return page_.news().picture;
+    const std::uint64_t before = page_.camera_status().number;
+    EXPECT_TRUE(wait([&] { return page_.camera_status().number > before + 1; }));
+    return page_.camera_status().picture;
   };
   const auto first = drawn();
   for (int i = 0; i < 6; ++i) page_.press(QKeySequence(Qt::Key_Minus));  // less than the patient is wide
@@ -303,12 +303,12 @@ TEST_F(CameraPageTest, oval_and_path_follow_their_controls) {
   EXPECT_TRUE(find<QPushButton>("camera.pause")->isChecked());
   QTest::qWait(200);
   page_.advance(clock_ += 0.02);
-  const std::uint64_t held = page_.news().number;
+  const std::uint64_t held = page_.camera_status().number;
   QTest::qWait(300);
   page_.advance(clock_ += 0.02);
-  EXPECT_LE(page_.news().number, held + 1);
+  EXPECT_LE(page_.camera_status().number, held + 1);
   page_.press(QKeySequence(Qt::Key_Space));
-  EXPECT_TRUE(wait([&] { return page_.news().number > held + 2; }));
+  EXPECT_TRUE(wait([&] { return page_.camera_status().number > held + 2; }));
 }
 
 TEST_F(CameraPageTest, every_picture_of_a_moving_needle_is_drawn_with_its_own_pose) {
@@ -329,12 +329,12 @@ TEST_F(CameraPageTest, every_picture_of_a_moving_needle_is_drawn_with_its_own_po
   std::vector<bool> seen(tips.size(), false);
   std::uint64_t number = 0;
   EXPECT_TRUE(wait([&] {
-    const CameraNews& news = page_.news();
-    if (news.number == number || news.picture == nullptr || !news.needle) return false;
-    number = news.number;
-    const auto at = static_cast<std::size_t>(std::lround(news.time * options.rate));
+    const CameraStatus& status = page_.camera_status();
+    if (status.number == number || status.picture == nullptr || !status.needle) return false;
+    number = status.number;
+    const auto at = static_cast<std::size_t>(std::lround(status.time * options.rate));
     const auto raw = tracking::read_picture(footage.folder / footage.frames[at].file);
-    const double own = (tracking::needle_ring(*news.picture, raw, tips[at]) - tips[at]).norm();
+    const double own = (tracking::needle_ring(*status.picture, raw, tips[at]) - tips[at]).norm();
     EXPECT_LT(own, 2.5) << at;
     seen[at] = true;
     return std::count(seen.begin(), seen.end(), true) == static_cast<std::ptrdiff_t>(seen.size());
@@ -346,7 +346,7 @@ TEST_F(CameraPageTest, every_picture_of_a_moving_needle_is_drawn_with_its_own_po
 
 TEST_F(CameraPageTest, a_large_oval_is_drawn_coarser_and_the_line_says_so) {
   start(render("footage").folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
   const auto says_so = [&] { return line().find("Large oval: drawn at half the resolution.") != std::string::npos; };
   EXPECT_FALSE(says_so()) << line();
   for (int i = 0; i < 10; ++i) page_.press(QKeySequence(Qt::Key_Plus));  // twice as wide and as high
@@ -367,7 +367,7 @@ TEST_F(CameraPageTest, a_video_whose_rate_varies_is_shown_and_the_line_says_so) 
   ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT: a fixed command
   find<QLineEdit>("camera.calibration")->setText(QString::fromStdString((footage.folder / "camera.json").string()));
   start(video);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 1; })) << line();
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 1; })) << line();
   page_.advance(clock_ += 0.02);
   EXPECT_NE(line().find("pictures/s"), std::string::npos) << line();
   EXPECT_NE(line().find("uneven.mkv: the time between pictures varies from 50 to 200 ms"), std::string::npos)
@@ -383,11 +383,11 @@ TEST_F(CameraPageTest, pictures_that_are_mirrored_are_named_and_nothing_is_drawn
   start(footage.folder);
   EXPECT_TRUE(wait([&] { return line().find("mirrored left to right; switch mirroring off") != std::string::npos; }))
       << line();
-  EXPECT_FALSE(page_.news().needle.has_value());
-  EXPECT_EQ(page_.news().picture->pixels, turned.pixels);
+  EXPECT_FALSE(page_.camera_status().needle.has_value());
+  EXPECT_EQ(page_.camera_status().picture->pixels, turned.pixels);
 }
 
-// As when another sheet of markers was printed than that of the bodies.
+// As if a different sheet of markers had been printed.
 TEST_F(CameraPageTest, markers_that_are_on_no_body_and_those_of_another_dictionary_are_named) {
   tracking::Footage footage = render("others");
   std::vector<tracking::MarkerBody> bodies = tracking::station_bodies();
@@ -411,14 +411,14 @@ TEST_F(CameraPageTest, pictures_without_a_calibration_are_shown_alone_and_that_i
   const tracking::Footage footage = render("footage");
   std::filesystem::remove(footage.folder / "camera.json");
   start(footage.folder);
-  ASSERT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
-  // The first one, or one after it where the page went on before the test looked.
-  const auto& shown = page_.news().picture->pixels;
+  ASSERT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
+  // The first one, or a later one if the page continued before the test looked.
+  const auto& shown = page_.camera_status().picture->pixels;
   EXPECT_TRUE(std::any_of(footage.frames.begin(), footage.frames.end(), [&](const auto& frame) {
     return tracking::read_picture(footage.folder / frame.file).pixels == shown;
   }));
   EXPECT_NE(line().find("not calibrated"), std::string::npos) << line();
-  EXPECT_FALSE(page_.news().needle.has_value());
+  EXPECT_FALSE(page_.camera_status().needle.has_value());
 }
 
 TEST_F(CameraPageTest, what_cannot_be_opened_is_one_sentence_and_the_page_goes_on) {
@@ -432,9 +432,9 @@ TEST_F(CameraPageTest, what_cannot_be_opened_is_one_sentence_and_the_page_goes_o
   EXPECT_NE(line().find("/no/registration.json"), std::string::npos) << line();
   find<QLineEdit>("camera.registration")->clear();
   start(footage.folder);
-  EXPECT_TRUE(wait([&] { return page_.news().number > 0; })) << line();
+  EXPECT_TRUE(wait([&] { return page_.camera_status().number > 0; })) << line();
   page_.leave();
-  EXPECT_EQ(page_.news().number, 0U);
+  EXPECT_EQ(page_.camera_status().number, 0U);
 }
 
 }  // namespace

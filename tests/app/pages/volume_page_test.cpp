@@ -26,7 +26,7 @@ using bodkin_test::layered_patient;
 
 constexpr int patience = 120000;  // ms; software OpenGL on a busy machine takes seconds for a picture
 
-// Water with a column of bone along the path of the needle, coarse so that it is quick.
+// Water with a column of bone along the path of the needle, coarse for speed.
 std::shared_ptr<const OpenCase> bony_patient() {
   static const std::shared_ptr<const OpenCase> made = [] {
     auto open = std::make_shared<OpenCase>(*layered_patient());
@@ -73,12 +73,12 @@ class VolumePageTest : public testing::Test {
         },
         patience));
   }
-  // So soon that the camera counts as moving still.
+  // So soon that the camera still counts as moving.
   void await_picture_of(const scene::Camera& camera) {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
           page_.advance(clock_ += 0.00001);
-          return page_.view().picture().base()->order.camera == camera;
+          return page_.view().picture().base()->request.camera == camera;
         },
         patience));
   }
@@ -194,12 +194,12 @@ TEST_F(VolumePageTest, while_the_camera_moves_the_picture_is_coarse_and_fine_aft
   page_.view().set_camera(camera);
   page_.advance(clock_ += 0.01);
   await_picture_of(camera);
-  const scene::VolumeOrder coarse = page_.view().picture().base()->order;
+  const scene::VolumeRequest coarse = page_.view().picture().base()->request;
   EXPECT_GE(coarse.voxels, 2.0);
   EXPECT_LE(coarse.voxels, 4.0) << "on a machine that is slow";
   EXPECT_LE(coarse.width * coarse.height, 66000);
   settle();
-  EXPECT_EQ(page_.view().picture().base()->order.width, page_.view().width());
+  EXPECT_EQ(page_.view().picture().base()->request.width, page_.view().width());
 }
 
 TEST_F(VolumePageTest, what_draws_is_chosen_and_kept_and_a_card_that_is_not_there_is_one_sentence) {
@@ -228,7 +228,7 @@ TEST_F(VolumePageTest, a_card_draws_all_of_the_view_at_once_while_the_camera_mov
   settle();
   ASSERT_TRUE(page_.view().picture().base()->by_card) << page_.view().refusal();
   EXPECT_TRUE(find<QLabel>("volume.drawn_by")->text().startsWith(QStringLiteral("llvmpipe")));
-  // Bone is where the ray caster has it, the needle before it.
+  // Bone is at the ray caster's place, the needle in front of it.
   page_.view().choose_view(scene::StandardView::posterior);
   settle();
   EXPECT_GT(red(pixel(Vec3(-29.0, 20.0, 0.0))), red(pixel(Vec3(30.0, 20.0, 20.0))) + 60);
@@ -236,7 +236,7 @@ TEST_F(VolumePageTest, a_card_draws_all_of_the_view_at_once_while_the_camera_mov
   page_.view().set_camera(camera);
   page_.advance(clock_ += 0.01);
   await_picture_of(camera);
-  const scene::VolumeOrder moving = page_.view().picture().base()->order;
+  const scene::VolumeRequest moving = page_.view().picture().base()->request;
   EXPECT_FALSE(moving.may_be_cut_short);
   EXPECT_LE(moving.voxels, 2.0) << "finer than the processor's";
   EXPECT_GT(moving.width * moving.height, 66000) << "more rays than the processor's";

@@ -1,4 +1,4 @@
-#include "cli/ultrasound_beside.h"
+#include "cli/ultrasound_reference.h"
 
 #include <algorithm>
 #include <charconv>
@@ -27,8 +27,8 @@ constexpr int least_crop = 16;                                // pixels
 constexpr double least_window = 12.0;                         // pixels, of a window that was not given
 constexpr double square = 0.01;                               // share by which the sides of a pixel may differ
 
-// Greys as a file stores them.
-struct StoredPicture {
+// Grey levels as stored in a file.
+struct StoredImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> pixels;
   double across = 0.0, down = 0.0;  // mm between columns, rows; 0: not given
@@ -36,7 +36,7 @@ struct StoredPicture {
   std::string caption;
 };
 
-// "FILE:3" as the file and its frame; a file whose name ends so is that file.
+// "FILE:3" as the file and its frame; a file with such a name is that file.
 std::pair<fs::path, std::optional<std::size_t>> file_and_frame(const std::string& text) {
   std::error_code ignored;
   const std::size_t colon = text.rfind(':');
@@ -46,21 +46,20 @@ std::pair<fs::path, std::optional<std::size_t>> file_and_frame(const std::string
   const auto [last, failed] = std::from_chars(text.data() + colon + 1, end, frame);
   if (failed != std::errc() || last != end) {
     throw InputError(
-        fmt::format("--beside is '{}', which is no file; expected a picture or a sequence and the number of a frame "
-                    "from 0 on such "
-                    "as scan.mha:3",
+        fmt::format("--beside is '{}', which is not a file; expected a picture, or a sequence and the number of a "
+                    "frame from 0, such as scan.mha:3",
                     text));
   }
   return {text.substr(0, colon), frame};
 }
 
-StoredPicture stored_png(const fs::path& file, const std::optional<std::size_t>& frame) {
+StoredImage stored_png(const fs::path& file, const std::optional<std::size_t>& frame) {
   if (frame.value_or(0) != 0) {
     throw InputError(fmt::format("--beside asks for frame {} of {}, which is one picture; leave out ':{}'", *frame,
                                  file.string(), *frame));
   }
   const imaging::ImageRgb image = imaging::decode_png(io::read_text_file(file, largest_png), file.string());
-  StoredPicture stored{image.width, image.height, {}, 0.0, 0.0, "", file.filename().string()};
+  StoredImage stored{image.width, image.height, {}, 0.0, 0.0, "", file.filename().string()};
   stored.pixels.reserve(image.pixels.size());
   for (const imaging::Rgb& pixel : image.pixels) {  // luma of ITU-R BT.601
     stored.pixels.push_back(
@@ -69,7 +68,7 @@ StoredPicture stored_png(const fs::path& file, const std::optional<std::size_t>&
   return stored;
 }
 
-StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t>& asked) {
+StoredImage stored_image(const fs::path& file, const std::optional<std::size_t>& asked) {
   const anatomy::LabelVolume volume = io::read_labels_isolated(file);  // whole numbers of 16 bits
   const std::array<int, 3>& size = volume.grid.size;
   const std::size_t frame = asked.value_or(0);
@@ -77,14 +76,14 @@ StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t
     throw InputError(fmt::format("--beside asks for frame {} of {}, which has {}; expected 0 to {}", frame,
                                  file.string(), size[2], size[2] - 1));
   }
-  StoredPicture stored{size[0], size[1], {}, 0.0, 0.0, "", file.filename().string()};
+  StoredImage stored{size[0], size[1], {}, 0.0, 0.0, "", file.filename().string()};
   if (size[2] > 1) stored.caption += fmt::format(", frame {}", frame);
   const std::size_t pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
   stored.pixels.reserve(pixels);
   for (std::size_t at = frame * pixels; at < (frame + 1) * pixels; ++at) {
     if (volume.voxels[at] > 255) {
-      throw InputError(fmt::format("{}: frame {} has the value {}, expected the greys of a picture, 0 to 255",
-                                   file.string(), frame, volume.voxels[at]));
+      throw InputError(fmt::format("{}: frame {} has the value {}, expected grey levels from 0 to 255", file.string(),
+                                   frame, volume.voxels[at]));
     }
     stored.pixels.push_back(static_cast<std::uint8_t>(volume.voxels[at]));
   }
@@ -102,7 +101,7 @@ StoredPicture stored_image(const fs::path& file, const std::optional<std::size_t
 }
 
 // The columns and rows that --beside-crop leaves.
-void crop(StoredPicture& stored, const BesideOptions& options) {
+void crop(StoredImage& stored, const ReferenceOptions& options) {
   imaging::PixelWindow part{0, 0, stored.width, stored.height};
   if (!options.crop.empty()) {
     const std::vector<double> numbers = parse_numbers(options.crop, 4, "--beside-crop");
@@ -132,7 +131,7 @@ void crop(StoredPicture& stored, const BesideOptions& options) {
   stored.height = part.height;
 }
 
-double pixel_of(const StoredPicture& stored, const BesideOptions& options) {
+double pixel_of(const StoredImage& stored, const ReferenceOptions& options) {
   double pixel = options.pixel;
   if (!options.pixel_given.given()) {
     if (!(stored.across > 0.0)) {
@@ -141,9 +140,8 @@ double pixel_of(const StoredPicture& stored, const BesideOptions& options) {
     }
     if (std::abs(stored.across - stored.down) > square * stored.across) {
       throw InputError(
-          fmt::format("{}: its pixels are {:.4g} x {:.4g} mm, expected square ones; sample it anew, or say with "
-                      "--beside-pixel how "
-                      "large they are to be taken for",
+          fmt::format("{}: its pixels are {:.4g} x {:.4g} mm, expected square ones; resample it, or give with "
+                      "--beside-pixel the size to assume",
                       stored.caption, stored.across, stored.down));
     }
     pixel = 0.5 * (stored.across + stored.down);
@@ -158,7 +156,7 @@ double pixel_of(const StoredPicture& stored, const BesideOptions& options) {
   return pixel;
 }
 
-std::vector<std::uint8_t> turned(const imaging::GreyPicture& picture, bool columns, bool rows) {
+std::vector<std::uint8_t> turned(const imaging::GreyImage& picture, bool columns, bool rows) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(picture.pixels.size());
   for (int row = 0; row < picture.height; ++row) {
@@ -181,7 +179,7 @@ imaging::GreyWindow window_of(const std::string& text, const std::string& option
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-imaging::GreyStatistics statistics_in(const imaging::GreyPicture& picture, const imaging::GreyWindow& window,
+imaging::GreyStatistics statistics_in(const imaging::GreyImage& picture, const imaging::GreyWindow& window,
                                       const char* option, const char* which) {
   const std::optional<imaging::PixelWindow> pixels = imaging::pixels_in(picture, window);
   if (pixels) return imaging::grey_statistics(picture, *pixels);
@@ -195,7 +193,7 @@ imaging::GreyStatistics statistics_in(const imaging::GreyPicture& picture, const
       picture.top + picture.pixel * picture.height, option));
 }
 
-double bottom_of(const imaging::GreyPicture& picture) {
+double bottom_of(const imaging::GreyImage& picture) {
   return picture.top + picture.pixel * picture.height;
 }
 
@@ -205,21 +203,21 @@ std::string half_width_words(const std::optional<double>& width) {
 
 }  // namespace
 
-void add_beside_options(CLI::App& command, BesideOptions& options) {
+void add_reference_options(CLI::App& command, ReferenceOptions& options) {
   add_text(command, "--beside", options.file,
-           "A real picture to show beside it: FILE or FILE:FRAME, a PNG, a MetaImage (.mha), NRRD or NIfTI");
+           "A real picture to show next to it: FILE or FILE:FRAME, a PNG, a MetaImage (.mha), NRRD or NIfTI");
   options.pixel_given = add_number(command, "--beside-pixel", options.pixel, 0.001, 10.0,
                                    "mm between the real picture's pixels, 0.001 to 10 (default: as the file says)")
                             .without_default();
   add_text(command, "--beside-crop", options.crop,
            "The part of the file that is the picture, pixels: left,top,width,height");
   add_text(command, "--window", options.window,
-           "With --beside: where the greys are compared, mm: across,depth,width,height (default: the middle)");
+           "With --beside: where grey levels are compared, mm: across,depth,width,height (default: the middle)");
   add_text(command, "--beside-window", options.real_window, "The same in the real picture (default: as --window)");
 }
 
-imaging::RealPicture read_real_picture(const BesideOptions& options, const anatomy::UltrasoundProbe& probe,
-                                       imaging::MarkSide mark) {
+imaging::ReferenceImage read_reference_image(const ReferenceOptions& options, const anatomy::UltrasoundProbe& probe,
+                                             imaging::OrientationMarkerSide mark) {
   const auto [file, frame] = file_and_frame(options.file);
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
@@ -229,11 +227,11 @@ imaging::RealPicture read_real_picture(const BesideOptions& options, const anato
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  StoredPicture stored = ending == ".png" ? stored_png(file, frame) : stored_image(file, frame);
+  StoredImage stored = ending == ".png" ? stored_png(file, frame) : stored_image(file, frame);
   crop(stored, options);
-  imaging::RealPicture real;
+  imaging::ReferenceImage real;
   real.caption = stored.caption;
-  imaging::GreyPicture& picture = real.picture;
+  imaging::GreyImage& picture = real.picture;
   picture = {stored.width, stored.height, pixel_of(stored, options), 0.0, std::move(stored.pixels)};
   for (const Eigen::Vector2d& corner : imaging::field_of_view(probe, 1.0))
     picture.top = std::min(picture.top, corner.y());
@@ -243,13 +241,14 @@ imaging::RealPicture read_real_picture(const BesideOptions& options, const anato
     return real;
   }
   const bool stored_right = orientation[0] == 'M';  // the marked side: where the columns go
-  picture.pixels = turned(picture, stored_right != (mark == imaging::MarkSide::right), orientation[1] == 'N');
+  picture.pixels =
+      turned(picture, stored_right != (mark == imaging::OrientationMarkerSide::right), orientation[1] == 'N');
   real.mark = mark;
   return real;
 }
 
-void match_real_picture(const UltrasoundOptions& options, const imaging::RealPicture& real,
-                        station::UltrasoundChoice& choice) {
+void match_reference_image(const UltrasoundOptions& options, const imaging::ReferenceImage& real,
+                           station::UltrasoundChoice& choice) {
   const double pixel = real.picture.pixel;
   if (!options.depth_given.given()) {
     const double depth = bottom_of(real.picture) - pixel;  // of the last row's centres
@@ -275,9 +274,9 @@ void match_real_picture(const UltrasoundOptions& options, const imaging::RealPic
   choice.detail.height = pixels(high.y() - low.y());
 }
 
-BesideCompared compare_greys(const BesideOptions& options, const imaging::GreyPicture& simulated,
-                             const imaging::GreyPicture& real) {
-  BesideCompared compared;
+GreyComparison compare_greys(const ReferenceOptions& options, const imaging::GreyImage& simulated,
+                             const imaging::GreyImage& real) {
+  GreyComparison compared;
   const double wide = std::min(simulated.width * simulated.pixel, real.width * real.pixel);
   const double deep = std::min(bottom_of(simulated), bottom_of(real));
   const double least = least_window * std::max(simulated.pixel, real.pixel);

@@ -1,4 +1,4 @@
-#include "cli/wait_for_order.h"
+#include "cli/interruptible_wait.h"
 
 #include <atomic>
 
@@ -14,16 +14,16 @@ void end_waiting(int) {
 
 }  // namespace
 
-WaitForOrder::WaitForOrder() {
+InterruptibleWait::InterruptibleWait() {
   waiting_ended.store(false);
   for (std::size_t i = 0; i < signals.size(); ++i) before_[i] = std::signal(signals[i], &end_waiting);
 }
 
-WaitForOrder::~WaitForOrder() {
+InterruptibleWait::~InterruptibleWait() {
   for (std::size_t i = 0; i < signals.size(); ++i) std::signal(signals[i], before_[i]);
 }
 
-bool WaitForOrder::is_ended() noexcept {
+bool InterruptibleWait::is_ended() noexcept {
   return waiting_ended.load();
 }
 

@@ -1,4 +1,4 @@
-// `bodkin ultrasound --beside`: a real picture beside the simulated one, and what their greys are like.
+// `bodkin ultrasound --beside`: a real image beside the simulated one, and their grey statistics.
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-class UltrasoundBeside : public PatientCommand {
+class UltrasoundReference : public PatientCommand {
  protected:
   static Outcome scanned(const std::string& arguments, const std::string& size = "--size 160x120") {
     return bodkin("-q --json ultrasound " + patient() + " --lines 96 --samples 128 --slices 1 " + size + " " +
@@ -54,7 +54,7 @@ class UltrasoundBeside : public PatientCommand {
     }
     return image;
   }
-  // A MetaImage of one or more frames as somebody may have it.
+  // A user's MetaImage of one or more frames.
   static void write_meta_image(const std::string& name, const std::string& size, const std::string& fields,
                                const std::string& type, const std::string& pixels) {
     write(name,
@@ -64,7 +64,7 @@ class UltrasoundBeside : public PatientCommand {
   }
 };
 
-TEST_F(UltrasoundBeside, noise_of_known_width_has_it_in_millimetres) {
+TEST_F(UltrasoundReference, noise_of_known_width_has_it_in_millimetres) {
   write("noise.png", ::bodkin::imaging::encode_png(averaged_noise(600, 500, 10, 6)));
   const json result = beside("--beside noise.png --beside-pixel 0.1 --beside-window 5,20,40,40 -o noise-beside.svg");
   const json& real = result.at("beside").at("real");
@@ -74,14 +74,14 @@ TEST_F(UltrasoundBeside, noise_of_known_width_has_it_in_millimetres) {
   for (std::size_t i = 0; i < normal.size(); ++i)
     EXPECT_NEAR(real.at("grey_percentiles")[i].get<double>(), 120.0 + 25.0 * normal[i], 5.0);
   EXPECT_EQ(real.at("window_mm"), json::array({5.0, 20.0, 40.0, 40.0}));
-  // The file says nothing of depth and probe: the depth is the picture's, as deep as the curved face allows.
+  // The file does not state depth and probe: the depth is the image's, as deep as the curved face permits.
   EXPECT_GT(result.at("depth_mm").get<double>(), 30.0);
   EXPECT_LT(result.at("depth_mm").get<double>(), 50.0);
   for (const char* words : {"noise.png", "grey 5, 25, 50, 75, 95 %: ", "half-width across ", "stroke-dasharray"})
     EXPECT_THAT(text_of("noise-beside.svg"), HasSubstr(words));
 }
 
-TEST_F(UltrasoundBeside, one_grey_has_no_width) {
+TEST_F(UltrasoundReference, one_grey_has_no_width) {
   ::bodkin::imaging::ImageRgb image(200, 200);
   for (::bodkin::imaging::Rgb& pixel : image.pixels) pixel = {90, 90, 90};
   write("grey.png", ::bodkin::imaging::encode_png(image));
@@ -91,7 +91,7 @@ TEST_F(UltrasoundBeside, one_grey_has_no_width) {
   EXPECT_TRUE(real.at("half_width_along_mm").is_null());
 }
 
-TEST_F(UltrasoundBeside, its_own_sequence_is_what_it_simulates) {
+TEST_F(UltrasoundReference, its_own_sequence_is_what_it_simulates) {
   const std::string machine = "--probe L14-5 --depth 60 --gain 3 ";
   ASSERT_EQ(scanned(machine + "--tilt=0,15 --frames 3 -o own.igs.mha").exit_code, 0);
   for (const std::string mark : {"left", "right"}) {
@@ -111,7 +111,7 @@ TEST_F(UltrasoundBeside, its_own_sequence_is_what_it_simulates) {
   const json matched = beside("--probe L14-5 --beside own.igs.mha:0 -o own-beside.png", "");
   EXPECT_NEAR(matched.at("pixel_mm").get<double>(), 60.0 / 119.0, 0.01) << "nobody said a size";
   EXPECT_EQ(matched.at("size")[1], 120);
-  // A window beside the middle holds the same tissue in both: none of them is the mirror image of the other.
+  // A window beside the middle contains the same tissue in both: neither is the mirror image of the other.
   const json aside =
       beside("--probe L14-5 --gain 3 --beside own.igs.mha:0 --window=-6,48,8,10 -o own-beside.png").at("beside");
   const json mirrored =
@@ -130,7 +130,7 @@ TEST_F(UltrasoundBeside, its_own_sequence_is_what_it_simulates) {
   EXPECT_NE(beside("--probe L14-5 --beside own.igs.mha:2 -o o.png").at("beside").at("real"), aside.at("real"));
 }
 
-TEST_F(UltrasoundBeside, a_crop_is_all_that_is_looked_at) {
+TEST_F(UltrasoundReference, a_crop_is_all_that_is_looked_at) {
   ::bodkin::imaging::ImageRgb screen(300, 260);
   for (int row = 40; row < 240; ++row) {
     for (int column = 100; column < 250; ++column) screen.at(column, row) = {200, 200, 200};
@@ -149,7 +149,7 @@ TEST_F(UltrasoundBeside, a_crop_is_all_that_is_looked_at) {
   EXPECT_GT(grey, 3 * 150 * 200) << "it is drawn at the scale of the simulated one, 600 px high";
 }
 
-TEST_F(UltrasoundBeside, what_cannot_be_is_one_sentence) {
+TEST_F(UltrasoundReference, what_cannot_be_is_one_sentence) {
   write("grey.png", ::bodkin::imaging::encode_png(::bodkin::imaging::ImageRgb(200, 150)));
   const std::string frames(2 * 64 * 48, '\x30');
   write_meta_image("unscaled.mha", "64 48 2", "ElementSpacing = 1 1 1\n", "MET_UCHAR", frames);
@@ -163,11 +163,11 @@ TEST_F(UltrasoundBeside, what_cannot_be_is_one_sentence) {
   expect_refused("--beside unscaled.mha", "does not say how large its pixels are; say it with --beside-pixel");
   expect_refused("--beside oblong.mha", "its pixels are 0.5 x 0.8 mm, expected square ones");
   expect_refused("--beside scaled.mha:2", "asks for frame 2 of scaled.mha, which has 2; expected 0 to 1");
-  expect_refused("--beside scaled.mha:x", "'scaled.mha:x', which is no file; expected");
-  expect_refused("--beside scaled.mha:-1", "which is no file");
-  expect_refused("--beside scaled.mha:99999999999999999999", "which is no file");
+  expect_refused("--beside scaled.mha:x", "'scaled.mha:x', which is not a file; expected");
+  expect_refused("--beside scaled.mha:-1", "which is not a file");
+  expect_refused("--beside scaled.mha:99999999999999999999", "which is not a file");
   expect_refused("--beside grey.png:1 --beside-pixel 0.3", "asks for frame 1 of grey.png, which is one picture");
-  expect_refused("--beside wide.mha", "has the value 12336, expected the greys of a picture, 0 to 255");
+  expect_refused("--beside wide.mha", "has the value 12336, expected grey levels from 0 to 255");
   expect_refused("--beside torn.mha", "torn.mha");
   expect_refused("--beside text.png --beside-pixel 0.3", "text.png is not a usable PNG");
   expect_refused("--beside .", "which is a folder; expected a picture");
@@ -194,7 +194,7 @@ TEST_F(UltrasoundBeside, what_cannot_be_is_one_sentence) {
   expect_refused("--beside grey.png --live", "--beside is for a single picture");
 }
 
-TEST_F(UltrasoundBeside, a_real_scan_of_bone) {
+TEST_F(UltrasoundReference, a_real_scan_of_bone) {
   const char* named = std::getenv("BODKIN_DATA");
   const std::filesystem::path data = named != nullptr ? named : BODKIN_REPOSITORY "/../shared/data";
   const std::filesystem::path bone = data / "reference_ultrasound/bone_linear_l14.igs.mha";

@@ -1,4 +1,4 @@
-#include "app/models/kept_measures.h"
+#include "app/models/stored_measures.h"
 
 #include <fstream>
 #include <system_error>
@@ -17,7 +17,7 @@ constexpr const char* file_name = "measures.json";
 
 }  // namespace
 
-std::vector<Measure> kept_measures(const std::filesystem::path& folder) {
+std::vector<Measure> stored_measures(const std::filesystem::path& folder) {
   std::ifstream stream(folder / file_name);
   std::vector<Measure> measures;
   try {
@@ -36,7 +36,7 @@ std::vector<Measure> kept_measures(const std::filesystem::path& folder) {
   return measures;
 }
 
-void keep_measures(const std::vector<Measure>& measures, const std::filesystem::path& folder) {
+void store_measures(const std::vector<Measure>& measures, const std::filesystem::path& folder) {
   if (measures.empty()) {
     std::error_code ignored;
     std::filesystem::remove(folder / file_name, ignored);

@@ -1,5 +1,5 @@
-// An attempt ends by itself when its needle is taken out: always in acupuncture, after its target elsewhere.
-#include "training/taken_out.h"
+// An attempt ends automatically when its needle is withdrawn: always in acupuncture, elsewhere after its target.
+#include "training/needle_withdrawal.h"
 
 #include <QLabel>
 #include <filesystem>
@@ -41,7 +41,7 @@ class NeedleTakenOut : public WindowFixture {
     ASSERT_EQ(practice().failure(), "");
   }
   Practice& practice() { return window_->practice(); }
-  // By the key that is held, as a person does it.
+  // By holding the key, as a user does.
   void push_to(double depth) {
     QWidget* const focus = window_->focusWidget() != nullptr ? window_->focusWidget() : window_.get();
     QTest::keyPress(focus, Qt::Key_PageDown);
@@ -76,7 +76,7 @@ TEST_F(NeedleTakenOut, ends_an_acupuncture_with_its_results_and_again_practises_
   const double since = frame().clock;
   EXPECT_NE(frame().hint.find("5 s"), std::string::npos) << frame().hint;
   ASSERT_TRUE(wait(State::ended, 30));
-  EXPECT_NEAR(frame().clock - since, training::TakenOut::patience, 0.5);
+  EXPECT_NEAR(frame().clock - since, training::NeedleWithdrawal::patience, 0.5);
   ASSERT_NO_FATAL_FAILURE(expect_end());
   const std::shared_ptr<const OpenCase> patient = practice().patient();
   key(Qt::Key_A);
@@ -92,7 +92,7 @@ TEST_F(NeedleTakenOut, of_another_procedure_ends_it_after_the_target_alone_and_g
   ASSERT_NO_FATAL_FAILURE(push_to(8.0));
   ASSERT_NO_FATAL_FAILURE(take_out());
   EXPECT_FALSE(wait([&] { return counts_down() || practice().state() == State::ended; },
-                    static_cast<int>(training::TakenOut::patience) + 2))
+                    static_cast<int>(training::NeedleWithdrawal::patience) + 2))
       << "it has missed, and may go in again";
   ASSERT_NO_FATAL_FAILURE(push_to(15.0));
   EXPECT_EQ(practice().state(), State::reached) << frame().target_distance << " mm from the target";

@@ -1,4 +1,4 @@
-#include "cli/station_order.h"
+#include "cli/station_requests.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The case that `wanted` names inside `folder`; empty: `folder` itself. Never one elsewhere.
+// The case named `wanted` inside `folder`; empty: `folder` itself. Never one outside.
 std::string case_for(const std::string& folder, const std::string& wanted) {
   const fs::path inside = wanted.empty() ? fs::path(folder) : fs::path(folder) / wanted;
   std::error_code unreadable;
@@ -30,7 +30,7 @@ std::string case_for(const std::string& folder, const std::string& wanted) {
   throw InputError(fmt::format("this station has no case {}", io::in_quotes(wanted)));
 }
 
-// A plain name, which no link can lead elsewhere; the ending is ours. Empty: none is wanted.
+// A plain name, which cannot lead outside by a link; the suffix is ours. Empty: no name.
 std::string session_name(const std::string& wanted) {
   constexpr std::size_t longest = 100;
   if (wanted.empty()) return {};
@@ -48,7 +48,7 @@ std::string session_name(const std::string& wanted) {
 
 }  // namespace
 
-std::optional<StartOrder> StationOrders::order_in(const link::Message& message) {
+std::optional<StartRequest> StationRequests::read_request(const link::Message& message) {
   const std::optional<link::Command> command = link::command_of(message);
   if (!command) return std::nullopt;
   const bool loads = command->name == "LoadCase";
@@ -61,11 +61,11 @@ std::optional<StartOrder> StationOrders::order_in(const link::Message& message) 
     return found == command->values.end() ? std::string() : found->second;
   };
   const std::string wanted = value("Case").empty() ? chosen_ : value("Case");
-  StartOrder order{case_for(folder_, wanted), value("Trainee"), session_name(value("OutputFilename"))};
-  if (!order.trainee.empty()) training::check_label(order.trainee, "Trainee");
+  StartRequest request{case_for(folder_, wanted), value("Trainee"), session_name(value("OutputFilename"))};
+  if (!request.trainee.empty()) training::check_label(request.trainee, "Trainee");
   if (loads) chosen_ = wanted;
-  order.begins = !loads;
-  return order;
+  request.begins = !loads;
+  return request;
 }
 
 }  // namespace bodkin::cli
