@@ -1,5 +1,6 @@
-# install() rules. The package that find_package(Bodkin) finds holds the haptic core: patients in memory, force models,
-# devices and the tick, and how a mesh becomes a deformable body. The bodkin command and its data are installed beside it.
+# install() rules. The package for find_package(Bodkin) contains the haptic core: patients in memory, force models,
+# devices and the tick, and the conversion of a mesh into a deformable body. The bodkin command and its data are
+# installed with it.
 include(CMakePackageConfigHelpers)
 
 set(haptic_core core anatomy forces fem haptics simulation)

@@ -1,28 +1,32 @@
 # bodkin_module(NAME [PARSES] [FOLDERS dir...] [EXCEPT file...] [LINK target...] [PRIVATE_LINK target...])
 #
-# Makes the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
-# FOLDERS below it, EXCEPT some. LINK is for what public headers need, PRIVATE_LINK for what only source files need.
-# PARSES: the module reads foreign bytes, so the fuzzers want to see which of its branches they have reached.
+# Builds the static library bodkin_NAME (alias bodkin::NAME) from every source file of the calling folder, or of the
+# FOLDERS below it, EXCEPT some. LINK lists dependencies of public headers, PRIVATE_LINK those of source files only.
+# PARSES: the module reads foreign bytes, so the fuzzers need its coverage.
 
 set(BODKIN_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wimplicit-fallthrough
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
     $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>
-    -Wno-missing-field-initializers)  # designated initialisers name what differs from the defaults
+    -Wno-missing-field-initializers)  # designated initialisers list only differences from the defaults
 
-# With sanitizers these modules take half as long to compile when they are not optimised, and compute little themselves.
+# With sanitizers these modules compile in half the time when not optimised, and compute little themselves.
 set(BODKIN_UNOPTIMISED_UNDER_SANITIZERS "^bodkin_(cli|io|io_images|link|report.*)$")
 
-# These read, lay out and print; optimised little they take three quarters of the time to compile.
-set(BODKIN_OPTIMISED_LITTLE "^bodkin_(app|cli|link|report.*)$")
+# These read, arrange and print; with little optimisation they compile in a quarter less time.
+set(BODKIN_OPTIMISED_LITTLE "^bodkin_(app|link|report)$")
 
-# Compiler settings that every Bodkin target shares. Floating point is kept strict (no contraction into fused
-# multiply-add) so that a recording replays to the same bits whatever the compiler and the machine.
+# These compute nothing: cli reads arguments and prints, report_teacher serves a page to a browser. Without optimisation
+# they compile in a third of the time. Programs that link them call bodkin_libraries_first().
+set(BODKIN_UNOPTIMISED "^bodkin_(cli|report_teacher)$")
+
+# Compiler settings shared by all Bodkin targets. Floating point is kept strict (no contraction into fused
+# multiply-add) so that a recording replays to the same bits with any compiler and machine.
 function(bodkin_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE ${BODKIN_WARNINGS} -ffp-contract=off)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(CMAKE_UNITY_BUILD)
-    # What a neighbour in the unit calls something is no fault, nor that a unit includes what was a file of its own.
+    # In a unity file, clashing names of neighbours and includes of former source files are not errors.
     target_compile_options(${target} PRIVATE -Wno-shadow
       $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
@@ -38,8 +42,8 @@ function(bodkin_settings target)
     target_compile_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS} -fno-omit-frame-pointer
                            -fno-sanitize-recover=all)
     if(BODKIN_SANITIZERS MATCHES undefined)
-      # Two checks that stand at every access to an object, and lengthen the build: what they find, a null pointer and an
-      # access beyond an object, the address sanitizer finds too.
+      # These two checks at every access to an object lengthen the build; the address sanitizer also finds their
+      # errors, a null pointer and an access outside an object.
       target_compile_options(${target} PUBLIC -fno-sanitize=null,object-size)
     endif()
     target_link_options(${target} PUBLIC -fsanitize=${BODKIN_SANITIZERS})
@@ -76,27 +80,36 @@ function(bodkin_module name)
   endif()
   if(CMAKE_BUILD_TYPE STREQUAL Release AND bodkin_${name} MATCHES "${BODKIN_OPTIMISED_LITTLE}")
     target_compile_options(bodkin_${name} PRIVATE -O1)
+  elseif(CMAKE_BUILD_TYPE STREQUAL Release AND bodkin_${name} MATCHES "${BODKIN_UNOPTIMISED}")
+    target_compile_options(bodkin_${name} PRIVATE -O0)
   endif()
   if(BODKIN_FUZZERS AND ARG_PARSES)
     target_compile_options(bodkin_${name} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 
-# bodkin_uses_itk(TARGET): what sources that include ITK need.
+# bodkin_large_blocks(PROGRAM): its operator new requests large pages for large blocks.
+function(bodkin_large_blocks program)
+  if(TARGET bodkin_large_block_new)
+    target_link_libraries(${program} PRIVATE bodkin_large_block_new)
+  endif()
+endfunction()
+
+# bodkin_uses_itk(TARGET): the requirements of sources that include ITK.
 function(bodkin_uses_itk target)
   target_include_directories(${target} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
-  # ITK's headers bring an older Eigen of their own under the same include guards: ours must come first, and whole.
+  # ITK's headers contain an older Eigen with the same include guards: ours must come first, and completely.
   target_compile_options(${target} PRIVATE "SHELL:-include Eigen/Dense")
   if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
     target_compile_options(${target} PRIVATE "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/itk_compiled_by_clang.h")
   endif()
   if(BODKIN_SANITIZERS MATCHES undefined)
-    # ITK's neighbourhood iterators step back from a null pointer that they never read.
+    # ITK's neighbourhood iterators decrement a null pointer that they never read.
     target_compile_options(${target} PRIVATE -fno-sanitize=pointer-overflow)
   endif()
 endfunction()
 
-# bodkin_modules_below(RESULT target...): the libraries of modules among these targets and all that they link, in turn.
+# bodkin_modules_below(RESULT target...): the libraries of modules among these targets and their dependencies.
 function(bodkin_modules_below result)
   set(found "")
   while(ARGN)
@@ -111,11 +124,15 @@ function(bodkin_modules_below result)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# bodkin_libraries_first(PROGRAM target...): for a program that is not optimised itself, or links modules that are not. Of
-# an inline function that several use the linker keeps the first copy: let it be the one of an optimised module.
+# bodkin_libraries_first(PROGRAM target...): for a program that is not optimised itself, or links modules that are not.
+# The linker keeps the first copy of an inline function used by several: this makes it that of an optimised module.
 function(bodkin_libraries_first program)
   bodkin_modules_below(modules ${ARGN})
-  list(FILTER modules EXCLUDE REGEX "${BODKIN_UNOPTIMISED_UNDER_SANITIZERS}")
+  if(BODKIN_SANITIZERS)
+    list(FILTER modules EXCLUDE REGEX "${BODKIN_UNOPTIMISED_UNDER_SANITIZERS}")
+  else()
+    list(FILTER modules EXCLUDE REGEX "${BODKIN_UNOPTIMISED}")
+  endif()
   list(TRANSFORM modules REPLACE "(.+)" "$<TARGET_FILE:\\1>")
   list(JOIN modules "," modules)
   target_link_options(${program} PRIVATE "LINKER:--whole-archive,${modules},--no-whole-archive")

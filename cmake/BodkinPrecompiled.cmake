@@ -1,6 +1,6 @@
-# bodkin_precompiled(TARGET [TESTS]): TARGET starts from headers that are already parsed: the standard library, Eigen and fmt;
-# with TESTS GoogleTest and JSON too. Each kind is compiled once, by a target of its own, so all targets of a kind
-# must have the same compiler options and link fmt.
+# bodkin_precompiled(TARGET [TESTS]): TARGET uses precompiled headers: the standard library, Eigen and fmt; with TESTS
+# also GoogleTest and JSON. Each kind is compiled once, by a target of its own, so all targets of a kind must have the
+# same compiler options and link fmt.
 include_guard(GLOBAL)
 
 function(bodkin_precompiled target)
@@ -14,7 +14,7 @@ function(bodkin_precompiled target)
     list(APPEND headers <nlohmann/json.hpp> <gtest/gtest.h> <gmock/gmock.h>)
   endif()
   if(NOT TARGET ${owner})
-    if(ARG_TESTS)  # a program, so that its code is compiled as the tests' is
+    if(ARG_TESTS)  # a program, so that it is compiled like the tests
       file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${owner}.cpp" CONTENT "int main() {}\n")
       add_executable(${owner} "${CMAKE_BINARY_DIR}/${owner}.cpp")
     else()
@@ -32,5 +32,5 @@ function(bodkin_precompiled target)
     target_precompile_headers(${owner} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${owner})
-  target_compile_definitions(${target} PRIVATE FMT_SHARED)  # as the precompiled fmt was read
+  target_compile_definitions(${target} PRIVATE FMT_SHARED)  # as when fmt was precompiled
 endfunction()

@@ -1,5 +1,5 @@
-// Debian's ITK was configured for g++ alone and refuses other compilers, in one header, although clang compiles all
-// of it. That header is shown g++ here, before anything else includes it.
+// Debian's ITK was configured for g++ only; one header refuses other compilers, although clang compiles all of it.
+// Here that header sees g++, before anything else includes it.
 #pragma push_macro("__clang__")
 #pragma push_macro("__GNUC__")
 #undef __clang__

@@ -2,7 +2,7 @@
 
 namespace bodkin {
 
-// What the force laws need to know of a motion along the needle.
+// The motion along the needle, as the force laws need it.
 struct AxialMotion {
   double depth = 0.0;     // mm, tip beyond the undisturbed skin, positive inwards
   double velocity = 0.0;  // mm/s, positive inwards

@@ -5,14 +5,14 @@
 
 namespace bodkin {
 
-// What a user gave us is wrong: a file, a value, a path that misses the body. The message is one sentence that names
-// the file (and line or field), what was found, what was expected and how to mend it. Programs end with exit code 2.
+// The user's input is wrong: a file, a value, a path that misses the body. The message is one sentence that names the
+// file (and line or field), what was found, what was expected and how to correct it. Programs end with exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// The surroundings failed: the disk is full, a library is missing, a child process died. Exit code 1.
+// The environment failed: the disk is full, a library is missing, a child process died. Exit code 1.
 class SystemError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

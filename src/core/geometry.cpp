@@ -4,7 +4,7 @@ namespace bodkin {
 
 Pose needle_pose(const Vec3& tip, const Vec3& axis) {
   const Vec3 z = axis.normalized();
-  // The coordinate axis that is least aligned with the needle makes the best conditioned frame.
+  // The coordinate axis that is least aligned with the needle gives the best conditioned frame.
   Eigen::Index least = 0;
   z.cwiseAbs().minCoeff(&least);
   const Vec3 y = z.cross(Vec3::Unit(least)).normalized();

@@ -6,11 +6,11 @@
 
 namespace bodkin {
 
-// Asks for large pages (2 MiB) where these bytes, which nothing has been written to yet, span any: what is read here
-// and there then needs no page looked up each time. Where that is not possible nothing is lost.
+// Requests large pages (2 MiB) for memory that has not been written to yet: the system then provides it in fewer
+// steps, and scattered reads from it cost fewer page look-ups. Has no effect where large pages are not available.
 void prefer_large_pages(void* begin, std::size_t bytes) noexcept;
 
-// Gives memory as std::allocator does, on large pages where it spans any.
+// Allocator like std::allocator that requests large pages for blocks that span any.
 template <typename T>
 struct LargePageAllocator {
   using value_type = T;

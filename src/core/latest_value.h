@@ -6,15 +6,15 @@
 
 namespace bodkin {
 
-// Hands the newest value from one thread to one other; values that were not read in time are overwritten. Three
-// slots: the writer fills one, the reader looks at another, and one atomic byte passes the third between them. Both
-// ends are wait-free: write() and read() take a bounded number of steps, never lock and never allocate (as long as
-// copying a Value does not). The writer pays one copy of the value, the reader none. For values of which none may be
-// lost, see SingleProducerRing.
+// Passes the newest value from one thread to one other; values not read in time are overwritten. Three slots: the
+// writer fills one, the reader looks at another, and one atomic byte exchanges the third between them. Both ends are
+// wait-free: write() and read() take a bounded number of steps, never lock and never allocate (as long as copying a
+// Value does not). The writer pays one copy of the value, the reader none. For values none of which may be lost, see
+// SingleProducerRing.
 template <typename Value>
 class LatestValue {
  public:
-  // Until the first write, `first` is what is read.
+  // `first` is read until the first write.
   explicit LatestValue(const Value& first = Value()) : slots_{Slot{first}, Slot{first}, Slot{first}} {}
 
   // Writer only.
@@ -30,7 +30,7 @@ class LatestValue {
     return slots_[reading_].value;
   }
 
-  // Reader only: whether read() would find a value that it has not seen.
+  // Reader only: whether read() would return an unread value.
   bool is_fresh() const noexcept { return (exchanged_.load(std::memory_order_relaxed) & fresh) != 0; }
 
  private:
@@ -43,7 +43,7 @@ class LatestValue {
   };
 
   std::array<Slot, 3> slots_;
-  alignas(cache_line) std::atomic<std::uint8_t> exchanged_{2};  // the slot between the two, and whether it is unread
+  alignas(cache_line) std::atomic<std::uint8_t> exchanged_{2};  // the slot in between, and whether it is unread
   alignas(cache_line) std::uint8_t writing_ = 0;
   alignas(cache_line) std::uint8_t reading_ = 1;
 };

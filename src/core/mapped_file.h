@@ -6,9 +6,9 @@
 
 namespace bodkin {
 
-// A file's bytes in memory, read alone: the system brings them when they are looked at, shares them between programs,
-// and takes the memory back when it needs it. A file that is replaced by another of its name is kept until the end;
-// one that is cut off meanwhile ends the program.
+// A file's bytes in memory, read-only: the system loads them on access, shares them between programs, and reclaims
+// the memory when needed. The content stays when the file is replaced by another of its name; a file that is
+// truncated meanwhile ends the program.
 class MappedFile {
  public:
   MappedFile() = default;
@@ -20,7 +20,7 @@ class MappedFile {
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  // Begins at a multiple of the size of a page.
+  // Begins at a multiple of the page size.
   std::span<const std::byte> bytes() const noexcept { return {data_, size_}; }
 
  private:

@@ -61,7 +61,7 @@ double MotionEstimator::slope() const noexcept {
 }
 
 AxialMotion MotionEstimator::step(double depth) noexcept {
-  if (!begun_) samples_.fill(depth);  // before its first sample the needle is taken to have been at rest
+  if (!begun_) samples_.fill(depth);  // the needle is assumed at rest before its first sample
   begun_ = true;
   newest_ = (newest_ + 1) & (capacity - 1);
   samples_[newest_] = depth;
@@ -78,7 +78,7 @@ AxialMotion MotionEstimator::step(double depth) noexcept {
   } else if (speed > threshold_) {
     direction_ = velocity > 0.0 ? 1 : -1;
   }
-  // A stop can fall between two ticks: then only the sign of the velocity shows it.
+  // A stop can fall between two ticks: then only the sign of the velocity reveals it.
   const bool turned = before * velocity < 0.0;
   return {.depth = depth, .velocity = velocity, .direction = direction_, .stopped = resting_ || turned};
 }

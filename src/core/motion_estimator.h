@@ -8,7 +8,7 @@
 
 namespace bodkin {
 
-// Velocity, direction and rest of a needle from its depth alone, sample by sample.
+// Velocity, direction and rest of a needle, from its depth only, sample by sample.
 //
 // One count of a position sensor in one tick of 1 ms is 20 to 60 mm/s, so a plain difference is useless. The velocity
 // is the slope between the newest sample and the oldest one of the longest window (at most 20 ms) whose samples all
@@ -20,14 +20,14 @@ class MotionEstimator {
   // `dt`: s, 0.00025 to 0.005. `resolution`: mm of one count of the device; 0 = noiseless.
   MotionEstimator(double dt, double resolution);
 
-  // Takes the depth (mm) of this tick.
+  // Adds the depth (mm) of this tick.
   AxialMotion step(double depth) noexcept;
   // Moves the origin of depth so that the newest sample becomes `depth`; velocity and direction are unaffected.
   void rebase(double depth) noexcept;
   void reset() noexcept;
 
   double threshold() const noexcept { return threshold_; }
-  // Depth of the newest sample; 0 before the first.
+  // Depth of the newest sample; 0 before the first one.
   double depth() const noexcept { return samples_[newest_]; }
 
  private:
@@ -37,7 +37,7 @@ class MotionEstimator {
 
   double tolerance_, threshold_;
   int window_;  // samples, the longest window
-  int dwell_;   // ticks below the threshold that make a rest
+  int dwell_;   // ticks below the threshold after which the needle rests
   OnePole filter_;
   std::array<double, capacity> per_sample_{};  // capacity: 1 / (n dt)
   std::array<double, capacity> samples_{};     // capacity, a ring

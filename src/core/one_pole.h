@@ -7,9 +7,9 @@
 
 namespace bodkin {
 
-// First-order low pass in discrete time, y += a (x - y), a = 1 - exp(-2 pi fc T): exact for an input that is held
-// between two ticks. Never put one into the path of a force: its lag costs stability (a filter of 30 Hz needs eleven
-// times the damping at 1 N/mm). Velocities and stiffnesses are what it is for.
+// First-order low pass in discrete time, y += a (x - y), a = 1 - exp(-2 pi fc T): exact for an input that is constant
+// between two ticks. Use it for velocities and stiffnesses, never in the path of a force: its lag costs stability (a
+// filter of 30 Hz needs eleven times the damping at 1 N/mm).
 class OnePole {
  public:
   // `cutoff`: Hz, > 0. `dt`: s, > 0.

@@ -62,12 +62,12 @@ bool parse_number(std::string_view text, double& value) {
     value = text == "INF" ? unbounded : -unbounded;
     return true;
   }
-  // from_chars would take the words inf and nan in any spelling.
+  // from_chars would accept the words inf and nan in any spelling.
   if (text.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return false;
   double found = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
   if (end != text.data() + text.size() || text.empty()) return false;
-  // A number too small to hold is 0, which from_chars leaves alone; one too large is no number.
+  // A number too small to represent is read as 0, which from_chars does not store; one too large is rejected.
   if (error == std::errc::result_out_of_range) {
     const auto exponent = text.find_first_of("eE");
     if (exponent == std::string_view::npos || text.find('-', exponent) == std::string_view::npos) return false;

@@ -10,7 +10,7 @@
 
 namespace bodkin {
 
-// The numbers that a parameter may have.
+// The range of values that a parameter may have.
 struct Range {
   double low = 0.0;
   double high = 0.0;
@@ -26,16 +26,16 @@ struct Range {
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr Range any_number = {-unbounded, unbounded, false, false};
 
-// Without the lower bound.
+// A range without its lower bound.
 constexpr Range above(double low, double high) {
   return {low, high, false, true};
 }
-// Without the upper bound.
+// A range without its upper bound.
 constexpr Range from_to_below(double low, double high) {
   return {low, high, true, false};
 }
 
-// An enumeration whose words files use: enumeration_names(Enum) gives them in the order of the values, which begin at
+// An enumeration whose words files use: enumeration_names(Enum) lists them in the order of the values, which begin at
 // 0 and have no gaps.
 template <typename Value>
 concept NamedEnumeration = std::is_enum_v<Value> && requires(Value value) {
@@ -48,7 +48,7 @@ concept WholeNumber = std::integral<Value> && !std::same_as<Value, bool>;
 // The shortest text that reads back to the same bits; infinity is "INF", as in XML.
 std::string number_text(double value);
 
-// The same for people: infinity is "infinity".
+// As number_text(), for people: infinity is "infinity".
 std::string number_words(double value);
 
 // "0 to 100 N/mm", "more than 0 and at most 100 N", "0.001 s to infinity".
@@ -59,8 +59,8 @@ bool parse_number(std::string_view text, double& value);
 
 std::string_view without_blanks(std::string_view text);
 
-// The name of a parameter without the unit with which it ends: "stiffness_N_per_mm" in "N/mm" is "stiffness",
-// "curvature_per_mm" in "1/mm" is "curvature".
+// The name of a parameter without its unit suffix: "stiffness_N_per_mm" in "N/mm" becomes "stiffness",
+// "curvature_per_mm" in "1/mm" becomes "curvature".
 std::string_view name_without_unit(std::string_view name, std::string_view unit);
 
 // A value as files and command lines write it.
@@ -79,7 +79,7 @@ std::string value_text(const Value& value) {
   }
 }
 
-// The inverse of value_text(). Leaves `value` alone and returns false when the text is no such value.
+// The inverse of value_text(). Returns false and leaves `value` unchanged when the text is not such a value.
 template <typename Value>
 bool parse_value(std::string_view text, Value& value) {
   if constexpr (std::floating_point<Value>) {
@@ -113,7 +113,7 @@ bool parse_value(std::string_view text, Value& value) {
   }
 }
 
-// "a number", "true or false", "cubic or sum": what a value of this type looks like.
+// The form of a value of this type: "a number", "true or false", "cubic or sum".
 template <typename Value>
 std::string type_words() {
   if constexpr (std::same_as<Value, bool>) {

@@ -8,10 +8,10 @@
 
 namespace bodkin {
 
-// Finite numbers with commas or single blanks between them; empty when `text` is anything else.
+// Finite numbers separated by commas or single blanks; empty when `text` is anything else.
 std::vector<double> numbers_in(const std::string& text);
 
-// Exactly `count` of them; throws InputError naming `origin`.
+// Exactly `count` numbers; throws InputError naming `origin`.
 std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& origin);
 
 // "x,y,z" in LPS mm; throws InputError naming `origin` when `text` is not three finite numbers.

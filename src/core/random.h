@@ -13,7 +13,7 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// A uniform number in [-1, 1) that depends on nothing but the two arguments.
+// A uniform number in [-1, 1) that depends only on the two arguments.
 constexpr double hash_noise(std::uint64_t seed, std::int64_t cell) {
   const std::uint64_t bits = mix64(seed ^ mix64(static_cast<std::uint64_t>(cell)));
   return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;

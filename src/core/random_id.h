@@ -4,8 +4,8 @@
 
 namespace bodkin {
 
-// 128 bits of the system's randomness in 32 hexadecimal digits: no two calls return the same, on any machine. For
-// names and secrets; numbers that must be drawn again come from core/random.h.
+// 128 bits of the system's randomness as 32 hexadecimal digits, unique across calls and machines. For names and
+// secrets; for reproducible numbers use core/random.h.
 std::string random_id();
 
 }  // namespace bodkin

@@ -25,16 +25,20 @@ double angle_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& t
   return 2.0 * repeatable::atan2(turn.vec().norm(), std::abs(turn.w()));
 }
 
-Eigen::Quaterniond interpolate(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double part) noexcept {
-  const double dot = from.dot(to), cosine = std::abs(dot), sign = dot < 0.0 ? -1.0 : 1.0;
-  const double angle = repeatable::atan2(std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), cosine);
+Arc::Arc(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) noexcept : from_(from), to_(to) {
+  const double dot = from.dot(to), cosine = std::abs(dot);
+  if (dot < 0.0) to_.coeffs() = -to_.coeffs();
+  angle_ = repeatable::atan2(std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), cosine);
+  sine_ = repeatable::sin(angle_);
+}
+
+Eigen::Quaterniond Arc::at(double part) const noexcept {
   double first = 1.0 - part, second = part;
-  if (angle > 1e-7) {  // below, a straight line is the same to the last bit
-    const double whole = repeatable::sin(angle);
-    first = repeatable::sin(first * angle) / whole;
-    second = repeatable::sin(second * angle) / whole;
+  if (angle_ > 1e-7) {  // below, a straight line is the same to the last bit
+    first = repeatable::sin(first * angle_) / sine_;
+    second = repeatable::sin(second * angle_) / sine_;
   }
-  return Eigen::Quaterniond(first * from.coeffs() + sign * second * to.coeffs());
+  return Eigen::Quaterniond(first * from_.coeffs() + second * to_.coeffs());
 }
 
 }  // namespace bodkin

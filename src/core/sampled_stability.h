@@ -12,8 +12,9 @@ inline double damping_needed(double stiffness, double damping, double dt) {
   return stiffness * dt / 2.0 + std::abs(damping);
 }
 
-// The most damping, N s/mm, that may be added to a spring of `stiffness` on a device that renders `device_stiffness`
-// stably: such a device has at least b = device_stiffness T/2 of its own, and the spring has used its part of it.
+// The largest damping, N s/mm, that may be added to a spring of `stiffness` on a device that renders
+// `device_stiffness` stably: such a device has at least b = device_stiffness T/2 of its own, and the spring has used
+// its part of that.
 inline double damping_allowed(double stiffness, double device_stiffness, double dt) {
   return std::max(0.0, (device_stiffness - stiffness) * dt / 2.0);
 }

@@ -25,7 +25,7 @@ inline void check_range(std::string_view origin, std::string_view name, double v
 // Throws InputError unless `dt` is a usable tick, 1e-6 to 0.1 s.
 void check_tick(std::string_view origin, double dt);
 
-// What the table says of the parameter that `member` is.
+// The table's declaration of the parameter that `member` is.
 struct DeclaredParameter {
   std::string_view name;
   std::string_view unit;
@@ -47,13 +47,13 @@ DeclaredParameter declaration_of(Value Settings::*member) {
   return declaration_of_member(defaults, &(defaults.*member));
 }
 
-// One parameter is at most (minus `margin`) another one of the same unit.
+// One parameter is at most (minus `margin`) another parameter of the same unit.
 template <typename Owner>
 struct AtMost {
   double Owner::*lower;
   double Owner::*upper;
   double margin = 0.0;
-  std::string_view alternative;  // the one with which the relation counts; empty: all
+  std::string_view alternative;  // the one for which the relation applies; empty: all
 
   constexpr AtMost(double Owner::*its_lower, double Owner::*its_upper, double its_margin = 0.0,
                    std::string_view its_alternative = {})
@@ -73,7 +73,7 @@ struct AtMost {
   }
 };
 
-// The elements of a list come in rising order of one parameter. `first`: what the first one must be, any if NaN.
+// The elements of a list are in ascending order of one parameter. `first`: required value of the first, NaN: any.
 template <typename Owner, typename Item>
 struct Rising {
   std::vector<Item> Owner::*list;
@@ -98,7 +98,7 @@ struct Rising {
   }
 };
 
-// Anything else that must hold. `sentence` says what is found and what is expected.
+// Any other condition. `sentence` says what is found and what is expected.
 template <typename Owner>
 struct Relation {
   bool (*holds)(const Owner&);
@@ -112,27 +112,27 @@ struct Relation {
   }
 };
 
-// True when two structs of one type have the same parameters throughout.
+// Whether two structs of one type have equal parameters throughout.
 template <typename Settings>
 bool same_parameters(const Settings& one, const Settings& other);
 
-// Throws InputError for the first relation that does not hold, those of inlined structs included.
+// Throws InputError for the first relation that does not hold, including those of inlined structs.
 template <Parameterized Settings>
 void check_relations(const Settings& settings, std::string_view origin) {
   if constexpr (requires { Settings::relations(); }) {
-    std::apply([&](const auto&... relations) { (relations.check(settings, origin), ...); }, Settings::relations());
+    for_each_item(Settings::relations(), [&](const auto& relation) { relation.check(settings, origin); });
   }
   const auto inlined = [&](const auto& entry) {
     if constexpr (parameter_detail::is_inlined<std::remove_cvref_t<decltype(entry)>>)
       check_relations(settings.*entry.member, origin);
   };
-  std::apply([&](const auto&... entries) { (inlined(entries), ...); }, Settings::parameters());
+  for_each_item(Settings::parameters(), inlined);
 }
 
-// Throws InputError for the first parameter out of its range and for the first relation that does not hold, those of
-// elements inside included. "ORIGIN: cutting_force_N is 9 N, expected at most the puncture_force_N of 1 N". A child
-// whose parameters all have their defaults is taken as missing and not looked at. unwritten() is a table like
-// parameters(), of what files do not write here because they state it elsewhere.
+// Throws InputError for the first parameter out of its range and for the first relation that does not hold, including
+// those of child elements: "ORIGIN: cutting_force_N is 9 N, expected at most the puncture_force_N of 1 N". A child
+// whose parameters all have their defaults counts as missing and is not checked. unwritten() is a table like
+// parameters(), of the parameters that files do not write here because they state them elsewhere.
 template <Parameterized Settings>
 void check(const Settings& settings, std::string_view origin) {
   const std::string_view word = alternative_of(settings);
@@ -146,11 +146,9 @@ void check(const Settings& settings, std::string_view origin) {
       },
       settings);
   if constexpr (requires { Settings::unwritten(); }) {
-    std::apply(
-        [&](const auto&... parameters) {
-          (check_range(origin, parameters.name, parameters.of(settings), parameters.range, parameters.unit), ...);
-        },
-        Settings::unwritten());
+    for_each_item(Settings::unwritten(), [&](const auto& parameter) {
+      check_range(origin, parameter.name, parameter.of(settings), parameter.range, parameter.unit);
+    });
   }
   check_relations(settings, origin);
   const Settings defaults{};

@@ -9,13 +9,13 @@
 
 namespace bodkin {
 
-// Settings as text, between a struct with a table of parameters and a file or a command line. Texts are lossless: a
-// struct that becomes a tree and is read back has the same bits.
+// Settings as text, between a struct with a parameter table and a file or a command line. Texts are lossless: a
+// struct that is converted to a tree and read back has the same bits.
 struct SettingsTree {
   std::string name;  // of a model or an element: "tracking_wall"
   std::vector<std::pair<std::string, std::string>> values;
   std::vector<SettingsTree> children;
-  int line = 0;  // of the file that it was read from; 0: none
+  int line = 0;  // of the file from which it was read; 0: none
 
   // nullptr when the value is not stated.
   const std::string* find(std::string_view value) const noexcept;
@@ -27,10 +27,10 @@ struct SettingsTree {
   }
 };
 
-// "NAME SETTING=VALUE SETTING=VALUE; CHILD SETTING=VALUE": how people type it.
+// "NAME SETTING=VALUE SETTING=VALUE; CHILD SETTING=VALUE": as people type it.
 std::string tree_text(const SettingsTree& tree);
 
-// All parameters of the settings, those with their defaults included.
+// All parameters of the settings, including those with their defaults.
 template <Parameterized Settings>
 SettingsTree settings_tree(std::string name, const Settings& settings) {
   SettingsTree tree{.name = std::move(name)};
@@ -64,11 +64,11 @@ SettingsTree settings_tree(std::string name, const Settings& settings) {
 
 namespace settings_detail {
 
-// Throws InputError: a name that the settings do not have.
+// Throws InputError: the settings have no parameter of this name.
 [[noreturn]] void refuse_unknown(const SettingsTree& tree, std::string_view file, const std::string& what,
                                  const std::string& known);
 
-// The value that a tree states of a parameter, by its name or an earlier one; nullptr: none.
+// The value that a tree states for a parameter, under its name or an earlier one; nullptr: none.
 template <typename Settings>
 const std::string* stated_value(const SettingsTree& tree, std::string_view parameter) {
   if (const std::string* text = tree.find(parameter); text != nullptr) return text;
@@ -120,8 +120,8 @@ void read_values(Settings& settings, const SettingsTree& tree, std::string_view 
 
 }  // namespace settings_detail
 
-// Reads what the tree states and leaves the rest of `settings` alone. `file` names the tree in messages. Throws
-// InputError for a name that the settings do not have and for a value of another type; ranges are check()'s.
+// Reads the stated values and leaves the rest of `settings` unchanged. `file` names the tree in messages. Throws
+// InputError for an unknown name and for a value of another type; check() tests the ranges.
 template <Parameterized Settings>
 void read_settings(Settings& settings, const SettingsTree& tree, std::string_view file) {
   const SettingsTree* place = &tree;
@@ -173,7 +173,7 @@ void read_settings(Settings& settings, const SettingsTree& tree, std::string_vie
   }
 }
 
-// Settings that a tree states, checked; what it does not state has its default.
+// The settings stated by a tree, checked; all others have their defaults.
 template <Parameterized Settings>
 Settings settings_from(const SettingsTree& tree, std::string_view file) {
   Settings settings;

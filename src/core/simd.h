@@ -4,13 +4,13 @@
 #include <cstdint>
 
 // Data-parallel arithmetic on the vector extensions of GCC and Clang. The compiler maps four doubles to two SSE2 or
-// NEON registers or one AVX2 register. Every element is computed as it would be alone, and floating point is strict
+// NEON registers or one AVX2 register. Every element is computed as in scalar code, and floating point is strict
 // (-ffp-contract=off), so results have the same bits on every processor.
 
-// Put in front of a function: it is compiled for every x86-64 processor and for those with AVX2 (without fused
-// multiply-add), and the program takes the version for its processor when it starts. A function outside a class must
-// not have been declared before without this, in a header say, or Clang leaves the versions out. Other compilers and
-// processors, and the sanitizers, get the plain version alone.
+// Put it before a function: the function is compiled for every x86-64 processor and again for those with AVX2
+// (without fused multiply-add), and the program chooses at start. A function outside a class must not have an earlier
+// declaration without this macro, for example in a header, or Clang omits the versions. Other compilers and
+// processors, and the sanitizers, get only the plain version.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define BODKIN_ONE_VERSION
@@ -22,15 +22,15 @@
 #define BODKIN_PROCESSOR_CLONES
 #endif
 
-// For what such functions call: a function that is not inlined would not be compiled for AVX2, and one that is
+// For functions called by them: a function that is not inlined would not be compiled for AVX2, and a function
 // compiled with options for a newer processor must not be shared with files that are compiled without. Vectors are
-// passed by reference, since how they are passed by value depends on the processor.
+// passed by reference because passing by value depends on the processor.
 #define BODKIN_LANES_INLINE [[gnu::always_inline]] inline
 
 namespace bodkin {
 
 // Four doubles ("lanes"), and the result of comparing them: all bits of a lane are set where the comparison holds.
-// AVX2 expects them at multiples of 32 bytes; without it GCC would put them at multiples of 16.
+// AVX2 expects multiples of 32 bytes as their addresses; without it GCC would use multiples of 16.
 inline constexpr std::size_t lane_count = 4;
 using Lanes [[gnu::aligned(32)]] = double __attribute__((vector_size(32)));
 using LaneMask [[gnu::aligned(32)]] = long long __attribute__((vector_size(32)));
@@ -40,7 +40,7 @@ using FloatLanes [[gnu::may_alias]] = float __attribute__((vector_size(16)));
 static_assert(sizeof(Lanes) == lane_count * sizeof(double));
 static_assert(alignof(Lanes) == 32 && alignof(LaneMask) == 32 && alignof(UnalignedLanes) == alignof(double));
 
-// The four doubles from `numbers` on. A pointer, since Clang assumes that what a reference refers to is aligned.
+// The four doubles from `numbers` on. A pointer, because Clang assumes that references are aligned.
 BODKIN_LANES_INLINE const UnalignedLanes* lanes_at(const double* numbers) {
   return reinterpret_cast<const UnalignedLanes*>(numbers);
 }
@@ -52,7 +52,7 @@ BODKIN_LANES_INLINE double sum_of_lanes(const Lanes& a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
-// Four vectors and four matrices of three dimensions; a matrix is its columns.
+// Four vectors and four matrices of three dimensions; a matrix is stored as its columns.
 struct LaneVector {
   Lanes x, y, z;
 };
@@ -95,7 +95,7 @@ BODKIN_LANES_INLINE void multiply_transposed_lanes(const LaneMatrix& a, const La
 
 // Arithmetic on single numbers that the compiler turns into vector instructions in a loop.
 
-// x, or the bound that it lies beyond; `high` where low > high.
+// x, limited to the bounds; `high` where low > high.
 BODKIN_LANES_INLINE float bounded(float x, float low, float high) noexcept {
   const float above = low > x ? low : x;
   return high < above ? high : above;

@@ -6,16 +6,16 @@
 
 namespace bodkin {
 
-// Hands values from one thread to one other, in order. Both ends are wait-free: push() and pop() take a bounded
-// number of steps, never lock and never allocate; the memory is taken at construction. The producer pays one copy of
-// the value, the consumer another.
+// Passes values from one thread to one other, in order. Both ends are wait-free: push() and pop() take a bounded
+// number of steps, never lock and never allocate; the memory is allocated at construction. The producer pays one copy
+// of the value, the consumer another.
 template <typename Value>
 class SingleProducerRing {
  public:
   // Holds up to `capacity` values, > 0.
   explicit SingleProducerRing(std::size_t capacity) : slots_(capacity + 1) {}
 
-  // Producer only. False, and the value is not taken, when the ring is full.
+  // Producer only. False, and the value is not stored, when the ring is full.
   bool push(const Value& value) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t next = after(head);
@@ -25,7 +25,7 @@ class SingleProducerRing {
     return true;
   }
 
-  // Producer only: push() would be refused now.
+  // Producer only: whether push() would return false now.
   bool is_full() const noexcept {
     return after(head_.load(std::memory_order_relaxed)) == tail_.load(std::memory_order_acquire);
   }

@@ -7,7 +7,7 @@ namespace bodkin {
 
 namespace {
 
-// Polls before a waiting thread sleeps, some ten microseconds: loops that follow each other find everybody awake.
+// Polls before a waiting thread sleeps, about ten microseconds: loops in quick succession find all threads awake.
 constexpr int polls_before_sleep = 20000;
 
 void wait_for_change(const std::atomic<std::uint32_t>& value, std::uint32_t old) noexcept {

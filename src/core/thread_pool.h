@@ -13,11 +13,11 @@
 namespace bodkin {
 
 // A fixed set of threads that execute the iterations of a loop, for callers that run many loops in a row. The calling
-// thread works too. Iterations are handed out one at a time in ascending order, so a thread that starts late or is
-// interrupted delays nobody else. A result does not depend on the number of threads as long as each iteration writes
+// thread works too. Iterations are assigned one at a time in ascending order, so a thread that starts late or is
+// interrupted delays no other. A result does not depend on the number of threads as long as each iteration writes
 // only its own part of it.
 //
-// A loop takes no lock and no memory. Between loops the threads wait actively for some microseconds, then sleep.
+// A loop neither locks nor allocates. Between loops the threads spin for some microseconds, then sleep.
 //
 // One loop at a time: run() must not be called from two threads at once, nor from within an iteration.
 class ThreadPool {
@@ -29,8 +29,8 @@ class ThreadPool {
                                 : std::is_nothrow_invocable_v<const Work&, Index>;
 
  public:
-  // `threads`: including the calling one, at least 1; 0: as many as the machine has cores. If the system refuses to
-  // start that many, the pool works with those it got.
+  // `threads`: including the calling one, at least 1; 0: one per core. If the system refuses to start that many, the
+  // pool uses those that started.
   explicit ThreadPool(int threads = 0);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -40,9 +40,9 @@ class ThreadPool {
   int threads() const noexcept { return static_cast<int>(helpers_.size()) + 1; }
 
   // Calls work(index) or work(index, thread) once for each index from 0 to count - 1 and returns when all calls have
-  // returned. `count`: below 2^32; none below 1. `thread` is below threads() and differs between calls that run at
-  // the same time: it selects memory to work in; 0 is the calling thread. After an exception the indices that have
-  // not started are skipped, and the first exception is thrown from here.
+  // returned. `count`: below 2^32; no calls below 1. `thread` is below threads() and differs between calls that run
+  // at the same time: use it to select working memory; 0 is the calling thread. After an exception the indices that
+  // have not started are skipped, and the first exception is thrown from here.
   template <std::integral Index, typename Work>
   void run(Index count, const Work& work) noexcept(never_throws<Index, Work>) {
     if (count < 1) return;
@@ -89,13 +89,13 @@ class ThreadPool {
 
   static constexpr std::size_t cache_line = 64;
 
-  // The loop that is running. Written before its indices are handed out; a thread reads it only while it has one.
+  // The loop that is running. Written before its indices are assigned; a thread reads it only while it holds one.
   Call call_ = nullptr;
   const void* work_ = nullptr;
   std::size_t count_ = 0;
   std::exception_ptr exception_;  // written by the thread that sets failed_
 
-  // Upper half: number of the loop. Lower half: how many of its indices are still to be handed out.
+  // Upper half: number of the loop. Lower half: number of its indices not yet assigned.
   alignas(cache_line) std::atomic<std::uint64_t> remaining_{0};
   alignas(cache_line) std::atomic<std::uint32_t> unfinished_{0};  // indices whose call has not returned
   alignas(cache_line) std::atomic<std::uint32_t> loop_{0};        // what the threads sleep on

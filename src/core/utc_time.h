@@ -4,7 +4,7 @@
 
 namespace bodkin {
 
-// The present moment in ISO 8601, UTC, to the second: "2026-11-22T04:30:00Z".
+// The present time in ISO 8601, UTC, to the second: "2026-11-22T04:30:00Z".
 std::string utc_now();
 
 }  // namespace bodkin

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,20 @@ TEST(Repeatable, functions_are_correct_within_one_unit_in_the_last_place) {
       {"atan2", [](double x) { return atan2(x, 0.7); }, [](long double x) { return atan2l(x, 0.7); }, -5.0, 5.0},
       {"exp", [](double x) { return exp(x); }, [](long double x) { return expl(x); }, -40.0, 40.0},
       {"expm1", [](double x) { return expm1(x); }, [](long double x) { return expm1l(x); }, -5.0, 5.0},
+      {"sin, where it needs no reduction", [](double x) { return sin(x); }, [](long double x) { return sinl(x); },
+       -0.8, 0.8},
+      {"sin of many turns", [](double x) { return sin(x); }, [](long double x) { return sinl(x); }, -1100.0, 1100.0},
+      {"cos, where it needs no reduction", [](double x) { return cos(x); }, [](long double x) { return cosl(x); },
+       -0.8, 0.8},
+      {"cos of many turns", [](double x) { return cos(x); }, [](long double x) { return cosl(x); }, -1100.0, 1100.0},
+      {"atan2 of small angles", [](double x) { return atan2(x, 0.7); }, [](long double x) { return atan2l(x, 0.7); },
+       -0.2, 0.2},
+      {"exp of small numbers", [](double x) { return exp(x); }, [](long double x) { return expl(x); }, -0.1, 0.1},
+      {"exp of large numbers", [](double x) { return exp(x); }, [](long double x) { return expl(x); }, -705.0, 705.0},
+      {"expm1 of small numbers", [](double x) { return expm1(x); }, [](long double x) { return expm1l(x); }, -0.3,
+       0.3},
+      {"expm1 of large numbers", [](double x) { return expm1(x); }, [](long double x) { return expm1l(x); }, -705.0,
+       705.0},
       {"log", [](double x) { return log(x); }, [](long double x) { return logl(x); }, 1e-9, 1e3},
       {"pow", [](double x) { return pow(x, 1.7); }, [](long double x) { return powl(x, 1.7); }, 1e-6, 1e3},
       {"cosh", [](double x) { return cosh(x); }, [](long double x) { return coshl(x); }, -10.0, 10.0},
@@ -58,6 +73,18 @@ TEST(Repeatable, functions_are_correct_within_one_unit_in_the_last_place) {
     }
     EXPECT_LE(worst, 1.0) << function.name;
     EXPECT_GT(worst, 0.3) << function.name << ": the reference is not finer than a double";
+  }
+}
+
+// Where the reduction by quarters of a turn loses the most digits.
+TEST(Repeatable, sine_and_cosine_are_correct_next_to_whole_quarters_of_a_turn) {
+  if (std::numeric_limits<long double>::digits < 64) GTEST_SKIP() << "long double is no more than double here";
+  for (int quarter = 1; quarter < 700; ++quarter) {
+    const double nearest = quarter * 0.5 * std::numbers::pi;
+    for (const double x : {std::nextafter(nearest, 0.0), nearest, std::nextafter(nearest, 1e9)}) {
+      EXPECT_LE(units_apart(repeatable::sin(x), sinl(x)), 1.0) << x;
+      EXPECT_LE(units_apart(repeatable::cos(x), cosl(x)), 1.0) << x;
+    }
   }
 }
 

@@ -10,7 +10,7 @@
 namespace bodkin {
 namespace {
 
-// A function that is compiled for several processors, as the finite elements use it.
+// A function compiled for several processors, as in the finite elements.
 BODKIN_PROCESSOR_CLONES
 void scale_and_sum(const double* numbers, double factor, double* scaled, double& sum) {
   const Lanes product = *lanes_at(numbers) * factor;

@@ -49,7 +49,7 @@ TEST(ThreadPool, a_loop_reads_what_the_loop_before_it_wrote) {
   EXPECT_EQ(values[0], 200 % 64);
 }
 
-// Each thread adds to a place of its own without synchronisation; ThreadSanitizer would see two that share one.
+// Each thread adds to its own place without synchronisation; ThreadSanitizer would detect a shared one.
 TEST(ThreadPool, tells_apart_the_threads_that_work_at_the_same_time) {
   ThreadPool pool(4);
   ASSERT_LE(pool.threads(), 4);
