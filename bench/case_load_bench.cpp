@@ -1,4 +1,4 @@
-// What opening a case costs, which every command pays first: the synthetic lumbar torso of 1 mm as `bodkin case
+// The cost of opening a case, the first step of every command: the synthetic lumbar torso of 1 mm as `bodkin case
 // synthesize` writes it, with warm disk caches.
 #include <filesystem>
 #include <string>

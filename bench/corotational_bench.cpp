@@ -1,6 +1,5 @@
-// What a body that moves on its own time costs a step, at the sizes of design/numerics.md: a box of 100 mm, held at
-// its bottom and pressed at its top by a face of 40 x 15 mm that goes in and out by 15 mm once a second, at 60 steps
-// a second.
+// Cost of a step of a moving body, at the sizes of design/numerics.md: a box of 100 mm, held at its bottom and
+// pressed at its top by a face of 40 x 15 mm that goes in and out by 15 mm once a second, at 60 steps a second.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -18,7 +17,7 @@ using namespace bodkin::fem;
 
 constexpr double side = 100.0;  // mm
 
-// ms of this thread.
+// ms of CPU time of this thread.
 double processor_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

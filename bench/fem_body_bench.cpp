@@ -1,6 +1,6 @@
-// Rows of docs/numbers.md: a body of so many nodes from its mesh to the eyes. Boxes of 100 mm with a slab of
-// ligament, a corridor of 1,000 nodes. 2,197 nodes are what Sutherland et al. 2013 had in their haptic loop. Sizes
-// above 20,000 come when BODKIN_LARGE_BODIES is set; then also a body whose mesh is fine about an oblique way.
+// Rows of docs/numbers.md: a body of a given number of nodes, from its mesh to the display. Boxes of 100 mm with a
+// slab of ligament, a corridor of 1,000 nodes. 2,197 nodes are those of the haptic loop of Sutherland et al. 2013.
+// Sizes above 20,000 require BODKIN_LARGE_BODIES, as does a body whose mesh is fine about an oblique path.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -30,14 +30,14 @@ using namespace bodkin::fem;
 
 constexpr std::size_t corridor_size = 1000;        // nodes
 constexpr double side = 100.0;                     // mm
-constexpr std::size_t seen_nodes = 160;            // of the corridor, whose columns the eyes have: a whole shaft
+constexpr std::size_t seen_nodes = 160;            // of the corridor, with columns for the display: a whole shaft
 constexpr int grid_points = 32, skin_points = 46;  // along each axis
 
 double wall_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// MB, the most that this program has held since the last reset.
+// MB, peak memory of this program since the last reset.
 double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -81,7 +81,7 @@ constexpr std::uint32_t graded_box = 0;  // instead of a number of nodes along e
 struct BoxBody {
   BodyDescription description;
   CondensedBody condensed;
-  Preparation preparation;  // of the condensed body alone
+  Preparation preparation;  // only of the condensed body
 };
 
 // Prepared once for all rows of a size; only the last size is kept.
@@ -106,7 +106,7 @@ void prepare(benchmark::State& state) {
   state.counters["peak_MB"] = box.preparation.peak_MB;
 }
 
-// The same again, from the cache: digest of the mesh and the file.
+// The same from the cache: digest of the mesh and the file.
 void prepare_from_cache(benchmark::State& state) {
   const BoxBody& box = box_of(static_cast<std::uint32_t>(state.range(0)));
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "bodkin-fem-body-bench.condensed";
@@ -115,7 +115,7 @@ void prepare_from_cache(benchmark::State& state) {
   std::filesystem::remove(file);
 }
 
-// What the eyes see: a grid by which ultrasound and re-slices are warped, and a face of skin.
+// The display: a grid for warping ultrasound and re-slices, and a face of skin.
 std::vector<Vec3> seen_points() {
   std::vector<Vec3> points;
   const double step = side / (grid_points - 1), skin_step = side / (skin_points - 1);
@@ -165,7 +165,7 @@ std::vector<std::int64_t> sizes() {
   return along;
 }
 
-// Size by size, for a body is prepared once.
+// Size by size, because a body is prepared only once.
 const bool registered = [] {
   benchmark::RegisterBenchmark("machine_itself", machine_itself)->Iterations(50000);
   for (const std::int64_t along : sizes()) {

@@ -1,7 +1,7 @@
 // Rows of docs/contact-points.md: a body that a needle enters anywhere, from its mesh to the points of a line. Boxes
 // of 100 mm in voxels of 1 mm: 2 mm of skin, muscle, and a ligament 20 to 24 mm deep; a line of 80 mm at 17 degrees,
-// its points computed on one thread, timed by the core's own clock. The box of 97,336 nodes comes when
-// BODKIN_LARGE_BODIES is set.
+// its points computed on one thread, timed by the core's own clock. The box of 97,336 nodes requires
+// BODKIN_LARGE_BODIES.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -32,7 +32,7 @@ double wall_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// s of one core, so that other work on the machine does not count.
+// s of one core, so other work on the machine does not count.
 double processor_time(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
@@ -43,7 +43,7 @@ double thread_time() {
   return processor_time(CLOCK_THREAD_CPUTIME_ID);
 }
 
-// MB of this program: what it holds now, or the most that it has held.
+// MB of this program: present or peak memory.
 double memory(const char* what) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -89,7 +89,7 @@ void enter_anywhere(benchmark::State& state) {
   const ContactBody whole(body);
   state.counters["prepare_s"] = wall_time() - start;
   state.counters["prepare_core_s"] = processor_time(CLOCK_PROCESS_CPUTIME_ID) - used;
-  // Of this thread, which does alone what is not shared out: what it takes at most when the other cores are idle.
+  // CPU time of this thread, which does the serial work: an upper bound of the duration with idle other cores.
   state.counters["prepare_thread_s"] = thread_time() - began;
   state.counters["peak_MB"] = memory("VmHWM") - before;
   state.counters["kept_MB"] = memory("VmRSS") - before;
@@ -107,7 +107,7 @@ void enter_anywhere(benchmark::State& state) {
     double came = asked;
     bool is_first = true;
     LinePoints line(whole, 1.0, unbound);
-    line.add(stations_along(path, length, 1.0, patient), along);
+    line.add(contact_sites_along(path, length, 1.0, patient), along);
     line.stream(0, [&](const ContactPoint& point) {
       came = thread_time();
       if (std::exchange(is_first, false)) first = std::max(first, came - asked);
@@ -117,8 +117,8 @@ void enter_anywhere(benchmark::State& state) {
     });
     all = std::max(all, came - asked);
   }
-  // Of the slowest line: its first point, all of them, and how long before the skin a needle that comes at 50 mm/s
-  // has to ask so that none is late.
+  // For the slowest line: its first point, all of them, and the time before skin contact at which a needle at 50 mm/s
+  // must request them so that none is late.
   state.counters["first_ms"] = 1e3 * first;
   state.counters["line_ms"] = 1e3 * all;
   state.counters["ahead_ms"] = 1e3 * ahead;

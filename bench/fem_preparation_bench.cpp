@@ -1,6 +1,6 @@
 // From a mesh to a condensed body: time and memory over the number of nodes, with a corridor of 1,000 nodes. The
-// meshes are boxes of 100 mm. The largest takes half a minute a run and comes only when BODKIN_LARGE_BODIES is set;
-// as many threads as there are cores, or as BODKIN_FEM_THREADS says.
+// meshes are boxes of 100 mm. The largest takes half a minute per run and requires BODKIN_LARGE_BODIES; threads: one
+// per core, or BODKIN_FEM_THREADS.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +28,7 @@ FactorOptions options_of_environment() {
   return options;
 }
 
-// MB, the most that this program has held since the last reset.
+// MB, peak memory of this program since the last reset.
 double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -50,7 +50,7 @@ BodyDescription box(const benchmark::State& state) {
   return lattice_body(static_cast<std::uint32_t>(state.range(0)), side, 0.1, corridor);
 }
 
-// Checks, equations, factor and compliance; `field`: with the factor kept for the displacement of all nodes.
+// Checks, equations, factor and compliance; `field`: with the factor stored for the displacement of all nodes.
 void prepare(benchmark::State& state, bool field) {
   const BodyDescription body = box(state);
   reset_peak_memory();
@@ -99,7 +99,7 @@ void field_of_corridor(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(elastic.displacement_by_corridor(forces));
 }
 
-// A body that a needle can enter anywhere: factorised, or with its factor from the file where it was kept.
+// A body that a needle can enter anywhere: factorised, or with its factor from a file.
 void contact_body(benchmark::State& state, bool kept) {
   const auto body = std::make_shared<const BodyDescription>(box(state));
   const std::filesystem::path file =

@@ -1,5 +1,4 @@
-// What a needle in a deformable body costs that holds k contact points. The motion is recorded beforehand and the
-// state is warm.
+// The cost of a needle in a deformable body with k contact points. The motion is prerecorded and the state is warm.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -26,7 +25,7 @@ const CondensedBody& thousand_nodes() {
   return body;
 }
 
-// The factor alone: a solve every tick; every 20 ticks a node comes or goes at the end, as at a needle's tip, or
+// Only the factor: a solve every tick; every 20 ticks a node comes or goes at the end, as at a needle's tip, or
 // (second argument 1) one leaves from anywhere.
 void factor_tick(benchmark::State& state) {
   const auto nodes = static_cast<std::size_t>(state.range(0));
@@ -135,13 +134,13 @@ void needle_tick(benchmark::State& state) {
   time_needle(state, needle_on_its_way(way_of_the_needle(), state.range(1) != 0), static_cast<Hand>(state.range(2)));
 }
 
-// In tissue that relaxes, with two terms.
+// In relaxing tissue, with two terms.
 void relaxing_tick(benchmark::State& state) {
   const std::vector<PronyTerm> terms = {{.share = 0.3, .time = 0.1}, {.share = 0.2, .time = 2.0}};
   time_needle(state, needle_on_its_way(way_of_the_needle(), false, nullptr, {terms}), Hand::steady);
 }
 
-// The slowest tick while a needle in k points goes over to another compliance, since something holds other nodes.
+// The slowest tick during the exchange of the compliance of k points, because other nodes are held.
 void changeover_tick(benchmark::State& state) {
   const CondensedBody& body = way_of_the_needle();
   const Eigen::MatrixXd stiffer = 0.8 * body.compliance;

@@ -1,5 +1,4 @@
-// What a round of Haply's driver costs beside the calls of the system: the JSON of the state in, of the command out.
-// out.
+// The cost of a round of Haply's driver without system calls: the JSON of the state in, of the command out. out.
 #include <algorithm>
 #include <chrono>
 #include <string>

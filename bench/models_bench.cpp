@@ -100,7 +100,7 @@ const Surface& skin() {
   return made;
 }
 
-// Each model as something that can be called with a tick.
+// Each model as a callable for a tick.
 struct Models {
   TickEvents events;
   SpringDamperWall spring_damper_wall{{}};
@@ -295,7 +295,7 @@ void needle_grasp(benchmark::State& state) {
 }
 BENCHMARK(needle_grasp)->Unit(benchmark::kMicrosecond);
 
-// All of them in one tick; the sum keeps the compiler honest.
+// All of them in one tick; the sum prevents the compiler from removing the calls.
 double everything(Models& m, const Tick& t) {
   const Scene& s = scene();
   double sum = m.spring_damper_wall.step(t.motion, t.tissue, m.events) +

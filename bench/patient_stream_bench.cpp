@@ -1,7 +1,6 @@
-// A needle enters a meshed patient anywhere: the contact points of lines that nobody planned, computed on one thread
-// and timed by the core's own clock, as in fem_contact_stream_bench. BODKIN_MESHED_PATIENTS names the case folders,
-// with colons between; scripts/numbers.sh makes them with 20,000 nodes, and with 100,000 when BODKIN_LARGE_BODIES is
-// set.
+// A needle enters a meshed patient anywhere: the contact points of unplanned lines, computed on one thread and timed
+// by the core's own clock, as in fem_contact_stream_bench. BODKIN_MESHED_PATIENTS names the case folders, with colons
+// between; scripts/numbers.sh makes them with 20,000 nodes, and with 100,000 when BODKIN_LARGE_BODIES is set.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,8 +17,8 @@
 
 #include "anatomy/volume.h"
 #include "core/random.h"
+#include "fem/solid/contact_sites.h"
 #include "fem/solid/line_points.h"
-#include "fem/solid/needle_stations.h"
 #include "io/case_folder.h"
 
 namespace {
@@ -29,7 +28,7 @@ using namespace bodkin::anatomy;
 using namespace bodkin::fem;
 
 constexpr double speed = 50.0;     // mm/s
-constexpr double approach = 50.0;  // mm before the skin, where a needle asks for its line
+constexpr double approach = 50.0;  // mm before the skin, where a needle requests its line
 constexpr int ways = 40;
 
 double thread_time() {
@@ -70,7 +69,7 @@ void enter_patient(benchmark::State& state, const std::filesystem::path& folder)
     const double asked = thread_time();
     double came = asked, first = 0.0;
     LinePoints line(*body, settings.tip_radius, unbound);
-    line.add(stations_along(path, length, settings.point_spacing, patient), path.direction());
+    line.add(contact_sites_along(path, length, settings.point_spacing, patient), path.direction());
     line.stream(0, [&](const ContactPoint& point) {
       came = thread_time();
       if (first == 0.0) first = came - asked;
@@ -91,8 +90,8 @@ void enter_patient(benchmark::State& state, const std::filesystem::path& folder)
   state.counters["slowest_line_ms"] = 1e3 * lines.back();
   state.counters["first_point_ms"] = 1e3 * firsts[firsts.size() / 2];
   state.counters["slowest_first_point_ms"] = 1e3 * firsts.back();
-  // How long before the skin a needle that comes at 50 mm/s has to ask so that no point of any line is late, and how
-  // many are late when it asks 50 mm before.
+  // The time before skin contact at which a needle at 50 mm/s must request so that no point of any line is late, and
+  // the number of late points for requests 50 mm before.
   state.counters["to_ask_before_contact_ms"] = 1e3 * ahead;
   state.counters["late_points"] = late;
 }

@@ -1,6 +1,6 @@
 // A whole lumbar puncture by the expert on the lumbar torso that `./run` uses: operator, hand, tick and, in the
-// second benchmark, the recording to a session file. The counter `times_real_time` is what `bodkin run` promises (200
-// or more).
+// second benchmark, the recording to a session file. The counter `times_real_time` is the promise of `bodkin run`
+// (200 or more).
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,5 @@
 // CPU time of the 3-D view's frames: run with --benchmark_counters_tabular=true; the column CPU counts one thread,
-// which is all that draws.
+// the only one that draws.
 #include <memory>
 
 #include "patient/synthetic/lumbar.h"

@@ -1,4 +1,4 @@
-// What the servo costs without tissue: commands, workspace, governor with passivity, guard, timings, snapshot. The
+// The cost of the servo without tissue: commands, workspace, governor with passivity, guard, timings, snapshot. The
 // hand shakes a little in a spring, so that nothing is skipped. The haptic tick on top of it is in tick_bench.
 #include <algorithm>
 #include <chrono>

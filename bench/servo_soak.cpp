@@ -1,5 +1,5 @@
-// The servo in real time for as long as is wanted: a hand on a simulated device goes into the slabs and out again, on
-// ServoThread's own thread. `servo_soak SECONDS [DEVICE]` prints how well the time was kept and what the guard did.
+// The servo in real time for any duration: a hand on a simulated device goes into the slabs and out again, on
+// ServoThread's own thread. `servo_soak SECONDS [DEVICE]` prints its timing and the guard's interventions.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -10,15 +10,15 @@
 
 namespace bodkin {
 
-// Processor time of this thread, us: what other jobs take of the machine is not counted, but what they take of the
-// caches is, and so are the machine's own interrupts. Reading it takes about 0.3 us.
+// Processor time of this thread, us: other jobs' time is not counted, but their effect on the caches is, and so are
+// the machine's own interrupts. Reading it takes about 0.3 us.
 inline double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-// At `part`, 0 to 1, of the values, which are sorted.
+// The quantile `part`, 0 to 1, of sorted values.
 inline double quantile(const std::vector<double>& sorted, double part) {
   return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
@@ -61,7 +61,7 @@ void time_every_tick(benchmark::State& state, std::size_t period, Tick&& tick) {
   report_times(state, std::move(times), period);
 }
 
-// What the machine adds by itself: a sum in registers that takes about 6 us, always the same work.
+// The machine's own contribution: a sum in registers of about 6 us, always the same work.
 inline void machine_itself(benchmark::State& state) {
   time_every_tick(state, 0, [](int tick) {
     double sum = tick;

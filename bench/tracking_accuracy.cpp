@@ -1,5 +1,5 @@
-// How well marker bodies are tracked, on rendered footage whose truth is known: tip error 150 mm from the body of the
-// needle, in the camera's and in the mannequin's frame. Not a benchmark of time alone: a row of 1000 pictures takes
+// Accuracy of tracking marker bodies, on rendered footage with known truth: tip error 150 mm from the body of the
+// needle, in the camera's and in the mannequin's frame. Not only a benchmark of time: a row of 1000 images takes
 // minutes. `tracking_accuracy --help` lists what can be varied.
 #include <algorithm>
 #include <chrono>
@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
       placed[1].shift = choice.motion * choice.distance / camera.fx * Vec3(std::cos(angle), std::sin(angle), 0.0);
     }
     double start = cpu_ms();
-    const GreyPicture picture =
+    const GreyImage picture =
         render_picture(camera, look, placed, choice.seed * 1000003U + static_cast<std::uint64_t>(n));
     render_ms += cpu_ms() - start;
     start = cpu_ms();

@@ -20,7 +20,7 @@ constexpr double mm_a_picture = 2.0;  // of motion, 60 mm/s
 struct Scene {
   CameraModel camera = footage_camera(1280, 720);
   std::vector<MarkerBody> bodies = station_bodies();
-  std::vector<GreyPicture> pictures;
+  std::vector<GreyImage> pictures;
   std::vector<std::vector<Pose>> truth;  // by picture and body
 };
 
@@ -58,7 +58,7 @@ void search_whole_picture(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(search_markers(of.pictures[n++ % of.pictures.size()]));
 }
 
-// Where the bodies were in the picture before.
+// The places of the bodies in the previous image.
 void search_boxes(benchmark::State& state) {
   const Scene& of = scene();
   std::size_t n = 0;
@@ -91,8 +91,7 @@ void refine_a_body(benchmark::State& state) {
   state.counters["markers"] = static_cast<double>(ids.size());
 }
 
-// All of a picture: search, start poses, refinement of each, misfit. `every`: s between searches of the whole
-// picture.
+// A whole image: search, start poses, refinement of each, misfit. `every`: s between searches of the whole picture.
 void track(benchmark::State& state, double every) {
   const Scene& of = scene();
   TrackerSettings settings;

@@ -1,4 +1,4 @@
-// What judging costs: a session of ten minutes that is already in memory, and a whole simulated attempt with its
+// The cost of scoring: a session of ten minutes that is already in memory, and a whole simulated attempt with its
 // score, which is what a cohort does a thousand times.
 #include <cmath>
 

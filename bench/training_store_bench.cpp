@@ -1,4 +1,4 @@
-// What the table of a cohort costs: 100 000 attempts of 1000 trainees at 2 procedures, read from a store in a file.
+// The cost of a cohort table: 100 000 attempts of 1000 trainees at 2 procedures, read from a store in a file.
 #include <filesystem>
 #include <string>
 #include <vector>

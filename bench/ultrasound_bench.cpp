@@ -1,6 +1,6 @@
-// What an ultrasound picture costs: the lumbar torso that `./run` uses under a C5-2, the probe moving a little from
+// The cost of an ultrasound image: the lumbar torso that `./run` uses under a C5-2, the probe moving a little from
 // picture to picture. Times are those of the whole call, by the wall clock, and by the calling thread's processor
-// time, which other jobs do not count in; the least of each is what the machine can do when nothing else runs.
+// time, which other jobs do not count in; the minimum of each is the speed of an otherwise idle machine.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -86,7 +86,7 @@ void draw(benchmark::State& state, const Scene& scene) {
     }
     displacement = {Vec3(-60.0, 0.0, 0.0), 2.0, side, side, moved};
   }
-  std::optional<NeedleInSound> needle;
+  std::optional<NeedleInUltrasound> needle;
   if (scene.needle) needle = {needle_pose(torso.path.target, torso.path.direction()), Needle{}};
 
   std::vector<Pose> poses = torso.poses;
@@ -121,7 +121,7 @@ UltrasoundDetail full(int width, int height, int threads) {
   return detail;
 }
 
-// The feature set of Sutherland et al. 2013, which knows no pressed tissue, 300 x 300, one thread.
+// The feature set of Sutherland et al. 2013, without pressed tissue, 300 x 300, one thread.
 void paper(benchmark::State& state) {
   draw(state, {.detail = paper_detail(), .press = 0.0});
 }

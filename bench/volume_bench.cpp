@@ -75,7 +75,7 @@ BENCHMARK(a_turn)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-// What a needle that moves costs: the rays up to it through the pixels that it covers, on one thread.
+// The cost of a moving needle: the rays up to it through the pixels that it covers, on one thread.
 void needle_pixels(benchmark::State& state) {
   const auto patient = volume();
   VolumeLook look;

@@ -1,5 +1,5 @@
-// Calibrations from anybody: any bytes are either refused with a sentence, or calibrations that a servo can be made
-// with and that are written as they were read.
+// Untrusted calibrations: any bytes are either refused with a sentence, or give calibrations that a servo can use and
+// that are written as read.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

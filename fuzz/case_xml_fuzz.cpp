@@ -1,4 +1,4 @@
-// case.xml from anybody: any bytes are either refused with a sentence, or a case that reads back as it is written.
+// Untrusted case.xml: any bytes are either refused with a sentence, or give a case that reads back as written.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

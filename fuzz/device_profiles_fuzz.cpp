@@ -1,4 +1,4 @@
-// A table of devices from anybody: refused with a sentence, or limits that a device can have.
+// An untrusted table of devices: refused with a sentence, or possible limits of a device.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Kept factors from anybody: any bytes are either refused with a sentence, or a factor that can be used.
+// Untrusted stored factors: any bytes are either refused with a sentence, or give a usable factor.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,8 +15,8 @@
 
 namespace {
 
-// What lies behind the checksums, which random bytes do not pass: the counts of nodes and supernodes, the order, the
-// sizes and the rows, a byte each.
+// The contents behind the checksums, which random bytes do not pass: the counts of nodes and supernodes, the order,
+// the sizes and the rows, a byte each.
 void use_layout(std::span<const std::uint8_t> bytes, const std::string& scratch) {
   if (bytes.size() < 2) return;
   const std::size_t nodes = bytes[0] % 64, supernodes = bytes[1] % 64;

@@ -1,4 +1,4 @@
-// Meshes of Gmsh from anybody: refused with a sentence, or sound as far as their numbers go.
+// Untrusted meshes of Gmsh: refused with a sentence, or numerically sound.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// A state message from whatever listens at the port: refused, or finite numbers. The same bytes as an inventory.
+// A state message from any program at the port: refused, or finite numbers. The same bytes as an inventory.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Pictures of a camera from anybody: any bytes are refused with a sentence, or a picture of the size that it says,
-// grey and in colours alike.
+// Untrusted camera images: any bytes are refused with a sentence, or give an image of the stated size, in grey and in
+// colours.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

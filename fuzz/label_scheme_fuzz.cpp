@@ -1,4 +1,4 @@
-// A label scheme from anybody: refused with a sentence, or structures that a case can hold.
+// An untrusted label scheme: refused with a sentence, or structures valid in a case.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// OpenIGTLink from anybody: any bytes are refused with a sentence or taken apart, and what was read is written as it
-// was. The check sum is put right first, so that the fuzzer gets past it.
+// Untrusted OpenIGTLink: any bytes are refused with a sentence or parsed, and parsed contents are written unchanged.
+// The checksum is corrected first, so that the fuzzer gets past it.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

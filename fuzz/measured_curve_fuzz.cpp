@@ -1,4 +1,4 @@
-// A measured curve from anybody: refused with a sentence, or samples that a fit can use.
+// An untrusted measured curve: refused with a sentence, or samples usable in a fit.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

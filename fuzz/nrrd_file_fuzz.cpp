@@ -1,5 +1,5 @@
-// Volumes of a case from anybody: any bytes are left to the image worker, refused with a sentence, or a volume of the
-// size that its header declares.
+// Untrusted volumes of a case: any bytes are left to the image worker, refused with a sentence, or give a volume of
+// the declared size.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -29,7 +29,7 @@ void read(const std::string& file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScratchFile scratch("volume.nrrd");
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  // What was understood is written as what is understood to be the same.
+  // A parsed message is written so that it parses to the same.
   if (const auto parsed = bodkin::io::parse_nrrd_header(bytes)) {
     const auto again = bodkin::io::parse_nrrd_header(bodkin::io::nrrd_header_text(parsed->header));
     if (!again || again->header.steps != parsed->header.steps || again->header.size != parsed->header.size)

@@ -1,4 +1,4 @@
-// Operator files from anybody: any bytes are either refused with a sentence, or an operator that can be performed.
+// Untrusted operator files: any bytes are either refused with a sentence, or give an executable operator.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const bodkin::InputError&) {
     return 0;
   }
-  // Whatever is accepted is performed, against a force that comes and goes, and stays finite.
+  // Every accepted operator is run against a varying force, and stays finite.
   bodkin::simulation::Operator actor(known, {{0, 100, 0}, {0, 50, 0}}, 1, 0.001);
   bodkin::Pose needle = actor.start();
   for (int tick = 0; tick < 2000; ++tick) {

@@ -1,4 +1,4 @@
-// Recordings of poses from anybody: refused with a sentence, or poses that are finite and in order.
+// Untrusted recordings of poses: refused with a sentence, or poses that are finite and in order.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Ultrasound probes from anybody: refused with a sentence, or probes that could exist.
+// Untrusted ultrasound probes: refused with a sentence, or physically possible.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

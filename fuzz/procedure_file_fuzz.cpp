@@ -1,5 +1,5 @@
-// Procedure files from anybody: any bytes are either refused with a sentence, or a procedure by which a session can
-// be judged.
+// Untrusted procedure files: any bytes are either refused with a sentence, or give a procedure that can score a
+// session.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -6,8 +6,8 @@
 
 #include <unistd.h>
 
-// A file for what wants one rather than bytes; in shared memory, which costs no disk. Removed when the fuzzer ends,
-// with what SQLite puts beside it.
+// A file for code that needs one rather than bytes; in shared memory, which costs no disk. Removed when the fuzzer
+// ends, with SQLite's files beside it.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& name)

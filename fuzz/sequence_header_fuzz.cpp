@@ -1,4 +1,4 @@
-// The header of an ultrasound sequence from anybody: something sound is told, or nothing.
+// An untrusted header of an ultrasound sequence: the result is sound, or nothing.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

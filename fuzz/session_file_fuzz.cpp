@@ -1,4 +1,4 @@
-// Session files from anybody: any bytes are either refused with a sentence, or a session.
+// Untrusted session files: any bytes are either refused with a sentence, or give a session.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace {
 
-// What lies behind the checksums, which random bytes do not pass.
+// The contents behind the checksums, which random bytes do not pass.
 void decode(std::span<const std::uint8_t> bytes) {
   bodkin::simulation::TickRecord record;
   const std::size_t size = bodkin::session::encoded_tick_size();

@@ -1,4 +1,4 @@
-// A tissue library from anybody: refused with a sentence, or a library whose tissues keep their promises.
+// An untrusted tissue library: refused with a sentence, or a library with valid tissues.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

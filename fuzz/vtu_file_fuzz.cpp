@@ -1,4 +1,4 @@
-// VTK meshes from anybody: refused with a sentence, or sound as far as their numbers go, and the same once written.
+// Untrusted VTK meshes: refused with a sentence, or numerically sound, and the same once written.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

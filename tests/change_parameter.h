@@ -7,8 +7,8 @@
 
 namespace bodkin {
 
-// Changes one parameter of the settings by as little as there is, the `which`-th counted through all that lies
-// inside; counts `which` down on the way. Gives its name, or nothing when there are not so many.
+// Changes one parameter of the settings minimally, the `which`-th of all nested ones; counts `which` down on the way.
+// Returns its name, or nothing if there are fewer.
 template <Parameterized Settings>
 std::string change_parameter(Settings& settings, int& which) {
   std::string changed;

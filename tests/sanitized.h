@@ -2,8 +2,7 @@
 
 namespace bodkin {
 
-// Whether a sanitizer watches this program: it takes up to thirty times as long, and looks for something else than
-// rare numbers.
+// Whether a sanitizer watches this program: it takes up to thirty times as long, and does not look for rare numbers.
 #if defined(BODKIN_ADDRESS_SANITIZER) || defined(BODKIN_THREAD_SANITIZER)
 inline constexpr bool sanitized = true;
 #else

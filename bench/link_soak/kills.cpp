@@ -21,7 +21,7 @@ int measure_kills(int count, int pairs) {
   void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw bodkin::SystemError("there is no memory for the counts");
   auto* const found = static_cast<KillCounts*>(memory);
-  // Each pair has a process of its own, which copies itself to be the client: it has one thread.
+  // Each pair has a separate process, which forks itself as the client: it has one thread.
   std::vector<pid_t> processes;
   for (int pair = 0; pair < pairs; ++pair) {
     const pid_t process = ::fork();

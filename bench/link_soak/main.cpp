@@ -1,4 +1,4 @@
-// What `bodkin serve` and its OpenIGTLink server cost and stand. Run from a release build:
+// Cost and robustness of `bodkin serve` and its OpenIGTLink server. Run from a release build:
 //   link_soak age [SECONDS]           age of poses at a client: 60 Hz, and 1 kHz of force in batches
 //   link_soak late [PAIRS [SECONDS]]  late ticks without clients and with 8, one of them hostile
 //   link_soak messages [COUNT]        as many messages as fast as a client takes them, and the memory they cost

@@ -16,7 +16,7 @@ using namespace bodkin::link;
 using namespace std::chrono_literals;
 using Steady = std::chrono::steady_clock;
 
-// What a session sends 60 times a second.
+// The messages of a session, 60 times a second.
 std::array<Message, 5> frame_of_a_session() {
   const std::vector<double> ticks(17 * 6, 1.0), state(24, 1.0), force(3, 1.0);
   const auto energy = std::span(force).first(1);

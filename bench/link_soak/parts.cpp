@@ -101,7 +101,7 @@ HostileClient::HostileClient(std::uint16_t port)
               }
               break;
             case 1:
-              std::this_thread::sleep_for(300ms);  // takes nothing of what it is sent
+              std::this_thread::sleep_for(300ms);  // takes none of the sent data
               break;
             case 2:
               send(good.data(), good.size() / 2);

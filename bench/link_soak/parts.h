@@ -9,22 +9,22 @@
 #include "link/client.h"
 #include "link/server.h"
 
-// What several measurements need.
+// Shared by several measurements.
 namespace link_soak {
 
-// A server at any port that is free.
+// A server at any free port.
 bodkin::link::ServerSettings free_port();
-// A client of it that tries again soon.
+// A client of it that retries soon.
 bodkin::link::ClientSettings client_of(std::uint16_t port);
-// A socket that is connected to this port of this machine; -1: nobody listens.
+// A socket connected to this port of this machine; -1: nobody listens.
 int connect_to(std::uint16_t port);
 
-// The value below which `share` (0 to 1) of all lie; 0 when there are none.
+// The quantile `share` (0 to 1) of the values; 0 if there are none.
 double percentile(std::vector<double> values, double share);
-// MiB that this process holds.
+// Memory of this process, MiB.
 double memory_held();
 
-// A folder with a case, "slabs", in layers like the back of a lumbar puncture; removed in the end.
+// A folder with a case, "slabs", in layers like the back of a lumbar puncture; removed at the end.
 class CaseFolder {
  public:
   CaseFolder();

@@ -31,8 +31,8 @@ TissueProperties tissue_of(TissueId id, const char* name, double hounsfield, con
   return properties;
 }
 
-// What is at a place: skin at y = 8, fat and muscle in layers that wave, a vertebra's arch with a shadow to throw, a
-// bubble of gas and a cyst.
+// The tissue at a place: skin at y = 8, fat and muscle in layers that wave, a vertebra's arch with a shadow to throw,
+// a bubble of gas and a cyst.
 TissueId tissue_at(const Vec3& place) {
   const double wave = 2.0 * std::sin(0.11 * place.x()) + 1.5 * std::sin(0.17 * place.z());
   if (place.y() < 8.0) return tissue::air;
@@ -91,7 +91,7 @@ std::vector<UltrasoundProbe> probes() {
 struct Scene {
   std::string name;
   Pose pose = Pose::Identity();
-  std::optional<NeedleInSound> needle;
+  std::optional<NeedleInUltrasound> needle;
   bool displaced = false;
   UltrasoundSettings settings;
   UltrasoundDetail detail;
@@ -112,7 +112,7 @@ std::vector<Scene> scenes() {
     }
     return scene;
   };
-  NeedleInSound needle;
+  NeedleInUltrasound needle;
   needle.pose = needle_pose(Vec3(4.0, 44.0, 1.5), Vec3(0.5, 1.0, 0.02));
   add("everything");
   add("pressed in").pose.translation() += Vec3(0.0, 4.0, 0.0);

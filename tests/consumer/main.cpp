@@ -31,7 +31,7 @@ struct ConstantDragSettings {
   }
 };
 
-// The same force against every motion, whatever the tissue.
+// The same force against every motion, independent of the tissue.
 class ConstantDrag : public bodkin::forces::ResistanceDefaults {
  public:
   using Settings = ConstantDragSettings;
@@ -90,7 +90,7 @@ double largest_resistance(bodkin::simulation::HapticTick& tick, const bodkin::Ve
   return largest;
 }
 
-// mm, how far one step at 60 steps a second moves the middle of the surface under 1 N.
+// mm, motion of the middle of the surface under 1 N in one step at 60 steps per second.
 double first_step(const bodkin::fem::BodyDescription& body) {
   bodkin::fem::CorotationalBody moving(body, {});
   constexpr std::uint32_t middle = 4 * 9 + 4;
@@ -144,10 +144,10 @@ int main() {
   const auto made = bodkin::fem::contact_body_with_cache(file, body, {}, count_note);
   const bool kept = std::filesystem::exists(file);
   const auto block = bodkin::fem::contact_body_with_cache(file, body, {}, count_note);
-  const auto stations = bodkin::fem::stations_along(path, path.length(), embedded.point_spacing, patient);
+  const auto sites = bodkin::fem::contact_sites_along(path, path.length(), embedded.point_spacing, patient);
   patient.prepared.body = std::make_shared<const bodkin::anatomy::CondensedBody>(
-      block->contact_points(stations, path.direction(), embedded.tip_radius));
-  const bool same = made->contact_points(stations, path.direction(), embedded.tip_radius).compliance ==
+      block->contact_points(sites, path.direction(), embedded.tip_radius));
+  const bool same = made->contact_points(sites, path.direction(), embedded.tip_radius).compliance ==
                     patient.prepared.body->compliance;
   std::printf("factor kept %d, read back to the bit %d, notes %d\n", kept ? 1 : 0, same ? 1 : 0, notes);
   patient.prepared.path = path;

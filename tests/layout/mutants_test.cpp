@@ -18,7 +18,7 @@ int occurrences(std::string_view text, std::string_view part) {
   return count;
 }
 
-// A line that stands there no more, after somebody changed it, would end the script before its first mutant.
+// A line that no longer exists after a change would end the script before its first mutant.
 TEST(Mutants, every_original_stands_in_its_file_exactly_once) {
   std::ifstream list(fs::path(BODKIN_REPOSITORY) / "scripts" / "mutants.txt");
   std::string file;

@@ -113,8 +113,8 @@ TEST(Pages, no_link_is_dead) {
   EXPECT_GT(checked, 150);
 }
 
-// What a procedure comes with: a page that teaches it, with the command that makes its synthetic patient, and
-// experts. `needle_insertion` is what all have in common.
+// Every procedure has a page that teaches it, with the command for its synthetic patient, and experts.
+// `needle_insertion` contains the common rules.
 TEST(Pages, every_procedure_has_a_teaching_page_a_patient_and_experts) {
   int checked = 0;
   for (const auto& entry : fs::directory_iterator(repository / "share/bodkin/procedures")) {

@@ -20,7 +20,7 @@ std::string tests_of(const std::string& module) {
   return text.str();
 }
 
-// A line that names no test any more, after somebody renamed one, would leave that test in `./test quick`.
+// A line with an outdated name, after a test was renamed, would leave that test in `./test quick`.
 TEST(SlowTests, every_line_names_a_test_that_exists) {
   std::ifstream list(fs::path(BODKIN_REPOSITORY) / "tests" / "slow_tests.txt");
   int lines = 0;

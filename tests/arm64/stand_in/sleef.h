@@ -1,7 +1,7 @@
 #pragma once
 
-// The C library in SLEEF's place: Debian has SLEEF for arm64 for arm64 machines alone. The pictures do not depend on
-// the last bit of an elementary function.
+// The C library in SLEEF's place: Debian has SLEEF for arm64 only on arm64 machines. The images do not depend on the
+// last bit of an elementary function.
 #include <cmath>
 
 inline double Sleef_cinz_sind1_u10purec(double x) {
