@@ -4,7 +4,7 @@ docs/evidence.md lists, on one logarithmic axis per quantity. Run it in the root
 import math
 import xml.etree.ElementTree as ET
 
-# quantity, tissue, attribute, factor to the unit, unit, published: (words, value or None, low, high, measured)
+# quantity, tissue, attribute, factor to the unit, unit, published: (label, value or None, low, high, measured)
 ROWS = [
     ("puncture force", "skin", "puncture_force_N", 1, "N", [
         ("24 studies, many needles: median, range", 1.22, 0.0005, 19.2, True),

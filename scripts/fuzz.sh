@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# fuzz.sh BUILD_FOLDER SECONDS: runs every fuzz target for SECONDS from its seeds in fuzz/corpus, as many at
-# once as there are cores. Fails on the first
-# crash, leak, hang or excessive allocation and leaves the offending input beside the target.
+# fuzz.sh BUILD_FOLDER SECONDS: runs every fuzz target for SECONDS from its seeds in fuzz/corpus, in parallel on all
+# cores. Fails on the first crash, leak, hang or excessive allocation and leaves the offending input next to the
+# target.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$(cd "$1" && pwd)

@@ -38,10 +38,11 @@ PROGRAMS = {
     "haptics": "haptics_tests",
     "simulation": "simulation_tests",
 }
-# Campaigns over every model, which take minutes and repeat what shorter tests check, and tests that wait for a socket.
+# Campaigns over every model, which take minutes and repeat the checks of shorter tests, and tests that wait for a
+# socket.
 LEFT_OUT = {"simulation_tests": "-*Campaign*:RealTime*:*real_time*:ForceRanges*", "haptics_tests": "-Haply*"}
-RESULTS = ROOT / "build" / "mutants.json"  # what killed each mutant, by its text
-LEAST_LIMIT = 60.0  # s after which a test program counts as one that does not end
+RESULTS = ROOT / "build" / "mutants.json"  # the test that killed each mutant, by its text
+LEAST_LIMIT = 60.0  # s after which a test program counts as hung
 
 Mutant = collections.namedtuple("Mutant", "file original replacement reason")
 

@@ -13,7 +13,7 @@ BEVEL = {"quincke": 20, "tuohy": 30, "chiba": 25, "diamond": 15, "whitacre": 12,
 STRETCHED = {"whitacre", "sprotte", "conical", "filiform"}
 SHOWN = {"skin": "#B5651D", "muscle": "#A6453B", "supraspinous_ligament": "#0072B2",
          "interspinous_ligament": "#56B4E9", "ligamentum_flavum": "#009E73", "dura": "#CC79A7", "disc": "#555555"}
-# gauge, N, half of the bar, measured or simulated, tissue, words, where they stand: x and y from the point, anchor
+# gauge, N, half of the bar, measured or simulated, tissue, label, its position: x and y from the point, anchor
 POINTS = [(18, 5.0, 1.0, True, "ligamentum_flavum", "Naemura, 18G", 9, 10, "start"),
           (16, 9.0, 0.0, True, "ligamentum_flavum", "Brett 1997, 16G", -9, -6, "end"),
           (24, 4.7, 0.0, False, "ligamentum_flavum", "Sutherland 2013, simulated", -9, -10, "start"),
@@ -73,7 +73,7 @@ def draw(library):
         out.append(f'<rect x="{origin}" y="{top}" width="{inner}" height="{tall}" fill="none" stroke="#888"/>')
         for gauge in (14, 16, 18, 20, 22, 25, 27, 30):
             out.append(f'<line x1="{x(gauge):.1f}" x2="{x(gauge):.1f}" y1="{top}" y2="{top + tall}" stroke="#eee"/>')
-            if gauge != 27:  # its words would touch those of its neighbours
+            if gauge != 27:  # its label would overlap its neighbours'
                 out.append(f'<text x="{x(gauge):.1f}" y="{top + tall + 16}" text-anchor="middle">{gauge}G</text>')
         count = round(most / step)
         for i in range(count + 1):
@@ -85,7 +85,7 @@ def draw(library):
         for row, (name, colour) in enumerate(names.items()):
             line = " ".join(f"{x(g):.1f},{y(value(library[name], g)):.1f}" for g in sorted(GAUGES, reverse=True)
                             if value(library[name], g) <= most)
-            # Dashes let another tissue's curve be seen below its own.
+            # Dashes leave the curve of another tissue visible beneath.
             style = f'stroke="{colour}" stroke-width="2.5"' + (
                 ' stroke-dasharray="7 7"' if name == "interspinous_ligament" else "")
             out.append(f'<polyline points="{line}" fill="none" {style}/>')

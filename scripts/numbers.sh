@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures how fast Bodkin is and writes docs/numbers.md: runs the programs of bench/ (preset release, built when out of
-# date) one after the other and makes one table of what they report. Run it on a machine that does nothing else; it takes
-# about five minutes on 2 cores. With BODKIN_LARGE_BODIES=1 bodies of 100,000 nodes are measured too (an hour).
+# Measures Bodkin's speed and writes docs/numbers.md: runs the programs of bench/ (preset release, built when out of
+# date) one after the other and tabulates their results. Run it on an otherwise idle machine; it takes about five
+# minutes on 2 cores. With BODKIN_LARGE_BODIES=1 bodies of 100,000 nodes are measured too (an hour).
 #
 #   scripts/numbers.sh             build, measure, write the page
 #   scripts/numbers.sh --print     write the page again from the last measurement (build/numbers)
@@ -37,8 +37,8 @@ if [ "${1:-}" != --print ]; then
 fi
 [ -s "$results/machine" ] || { say "no measurement in $results; run scripts/numbers.sh without --print"; exit 2; }
 
-# PROGRAM:BENCHMARK TEXT: what a row is called. A benchmark without a line here is named as in its program; one whose text
-# is "-" is left out.
+# PROGRAM:BENCHMARK TEXT: the name of a row. A benchmark without a line here keeps its own name; one whose text is "-"
+# is omitted.
 names() {
   cat << 'NAMES'
 tick_bench:lumbar_single_tick tick on the synthetic lumbar patient, `layered`, tissue look-up and clock included
@@ -179,7 +179,7 @@ table() {
     function nanoseconds(value, unit) {
       return value * (unit == "ns" ? 1 : unit == "us" ? 1e3 : unit == "ms" ? 1e6 : 1e9)
     }
-    # Three digits and the unit that keeps them between 1 and 1000.
+    # Three digits, and the unit that puts them between 1 and 1000.
     function shown(ns,    unit, value) {
       if (ns == "") return ""
       unit = "ns"; value = ns

@@ -1,4 +1,4 @@
-# What Bodkin needs from Debian 12, sourced by scripts/setup.sh. One list for building and running, one for the
+# Debian 12 packages required by Bodkin, sourced by scripts/setup.sh. One list for building and running, one for the
 # window, one for testing.
 
 packages_to_run=(
@@ -12,7 +12,7 @@ packages_to_run=(
   libjpeg62-turbo-dev ffmpeg
 )
 
-# The window, which `./run --without-app` leaves out.
+# The window, left out by `./run --without-app`.
 packages_of_app=(
   qtbase5-dev libvtk9-dev libvtk9-qt-dev libgl-dev libx11-dev fonts-roboto-unhinted
 )

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# quick.sh [MODULE...]: the tests of these modules; without modules, of those that differ from origin/main and of all that
-# stand on them. Builds file by file with precompiled headers (preset dev), and leaves out the tests in
-# tests/slow_tests.txt, all sanitizers, and clang-tidy: those are for the whole ./test.
+# quick.sh [MODULE...]: the tests of these modules; without modules, of those that differ from origin/main and of their
+# dependents. Builds file by file with precompiled headers (preset dev), and leaves out the tests in
+# tests/slow_tests.txt, all sanitizers, and clang-tidy: the whole ./test runs those.
 source "$(dirname "$0")/setup.sh"
 install_packages "${packages_to_run[@]}" "${packages_of_app[@]}" "${packages_to_test[@]}"
 unset BODKIN_CMAKE_ARGUMENTS
 
-# changed_files: what differs from where this branch left origin/main, committed or not; new files too.
+# changed_files: files that differ from the common ancestor with origin/main, committed or not, including new files.
 changed_files() {
   local since
   since=$(git merge-base HEAD origin/main 2>/dev/null) || since=HEAD
@@ -28,7 +28,7 @@ else
 fi
 own=("${own[@]/#programs/cli}")  # its helper programs are tested through the command
 
-# programs FIELDS MODULE...: the test programs that have one of the modules among these fields of their line.
+# programs FIELDS MODULE...: the test programs that have one of the modules in these fields of their line.
 programs() {
   local fields=$1; shift
   awk -v wanted="$*" -v last="$fields" 'BEGIN { n = split(wanted, w); for (i = 1; i <= n; ++i) is_wanted[w[i]] = 1 }
@@ -54,7 +54,7 @@ build_and_test() {
   local what=$1; shift
   [ $# -gt 0 ] || return 0
   say "$what: $*"
-  cmake --build --preset dev --target "${@/%/_tests}" >build/dev/quick.log 2>&1 || { cat build/dev/quick.log >&2; return 1; }
+  with_large_pages cmake --build --preset dev --target "${@/%/_tests}" >build/dev/quick.log 2>&1 || { cat build/dev/quick.log >&2; return 1; }
   rm -rf build/dev/test_times
   ctest --preset dev -j "$(nproc)" --no-tests=error -LE 'slow|release_only' \
     -R "^($(IFS='|'; echo "${*//./\\.}"))\.[0-9]+$" >build/dev/quick.log 2>&1 ||

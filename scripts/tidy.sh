@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tidy.sh BUILD_FOLDER...: runs clang-tidy over the source files of src/ as the compiler of the first folder that builds
-# them sees them: a whole module at once, for it is the headers that take the time.
+# tidy.sh BUILD_FOLDER...: runs clang-tidy over the source files of src/ with the compiler options of the first folder
+# that builds them: a whole module at once, because most of the time goes into headers.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git ls-files 'src/*.cpp' | sort > "$work/left"
 for build in "$@"; do
-  # Units with a source file that no folder before has; the longest first, as they take longest.
+  # Units with a source file that no earlier folder has; the longest first, because they take longest.
   for unit in $(wc -l "$build"/src/*/CMakeFiles/*.dir/Unity/unity_*_cxx.cxx | sort -rn | awk '$2 != "total" {print $2}'); do
     sed -n -E "s|^#include \"$root/(src/.*\.cpp)\"|\1|p" "$unit" | sort > "$work/of_unit"
     comm -12 "$work/left" "$work/of_unit" | grep -q . || continue
@@ -16,7 +16,7 @@ for build in "$@"; do
     echo "$build $unit" >> "$work/units"
   done
 done
-# What is compiled by itself goes first: the mesher's one file, which includes CGAL, takes longer than any module.
+# Files compiled separately go first: the mesher's only file, which includes CGAL, takes longer than any module.
 while read -r file; do
   of="$1"
   for build in "$@"; do

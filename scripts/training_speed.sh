@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures what scoring, reports, simulated cohorts and the table of results take, and says for each what is asked of it
-# (docs/training.md, "How long it takes"). Run it on a machine that does nothing else; it takes about three minutes on 2
-# cores, of which building is not a part.
+# Measures the duration of scoring, reports, simulated cohorts and the table of results, and states each requirement
+# (docs/training.md, "How long it takes"). Run it on an otherwise idle machine; it takes about three minutes on 2
+# cores, without building.
 #
 #   scripts/training_speed.sh [FOLDER]     with the programs in build/release; FOLDER (default: a temporary one) keeps the files
 source "$(dirname "$0")/setup.sh"
@@ -15,11 +15,11 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 XDG_DATA_HOME="
 
 calculate() { awk "BEGIN { printf \"%.3f\", $1 }"; }
 
-# seconds COMMAND...: s by the clock.
+# seconds COMMAND...: wall-clock time in s.
 seconds() {
   local begin end
   begin=$(date +%s.%N)
-  # 3: the attempt failed, which one of ten minutes does by its time in the body.
+  # 3: the attempt failed, as an attempt of ten minutes does by its time in the body.
   "$@" > command.log 2>&1 || [ $? -eq 3 ] || { cat command.log >&2; exit 1; }
   end=$(date +%s.%N)
   calculate "$end - $begin"
