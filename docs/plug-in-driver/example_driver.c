@@ -1,5 +1,5 @@
-/* A driver for a device that does not exist: it stands still in the middle of its workspace and remembers the force it
- * was told. Build it with
+/* A driver for a device that does not exist: it stands still in the middle of its workspace and stores the last
+ * commanded force. Build it with
  *
  *     cc -std=c11 -shared -fPIC -fvisibility=hidden -I <include>/bodkin example_driver.c -o example_driver.so
  */
@@ -48,7 +48,7 @@ static int open_device(const char* identity, const char* settings, void** handle
 }
 
 static int start(void* handle, bodkin_tick tick, void* user, char* message) {
-  (void)tick; /* Bodkin's thread calls exchange(), for owns_loop is 0 */
+  (void)tick; /* Bodkin's thread calls exchange(), because owns_loop is 0 */
   (void)user;
   (void)message;
   ((device*)handle)->started = 1;
