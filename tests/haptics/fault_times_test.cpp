@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -149,9 +150,11 @@ class FaultTimes : public testing::TestWithParam<DriverSubject> {
 
   // From the first tick with the fault, or from the request to end the session, to the first tick without force.
   Measured measured(const TimedFault& fault) {
-    board().from_tick = board().ticks + 5;
-    board().watched_from = board().from_tick.load();
+    // The fault and the clock begin with one store, the last one, however long this thread is held up before it.
+    board().from_tick = std::numeric_limits<std::int64_t>::max();
     board().trouble = fault.trouble;
+    board().watched = true;
+    board().from_tick = board().ticks + 5;
     std::int64_t began = 0;  // of the steady clock, ns
     if (fault.trouble == Trouble::none) {
       EXPECT_TRUE(comes_true([this] { return board().watched_at != 0; }));

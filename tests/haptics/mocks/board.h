@@ -83,9 +83,10 @@ struct Board {
   // Run on the vendor's thread around everything of ours that it calls; may be null.
   std::atomic<void (*)()> before_callback{nullptr}, after_callback{nullptr};
 
-  // Times of the steady clock, ns; 0: not yet. From the tick `watched_from` on (negative: never): the first of these
+  // Times of the steady clock, ns; 0: not yet. While `watched`, from the tick `from_tick` on: the first of these
   // ticks, the first without force, and the longest time between two of them until then.
-  std::atomic<std::int64_t> watched_from{-1}, watched_at{0}, zero_at{0}, longest_gap{0};
+  std::atomic<bool> watched{false};
+  std::atomic<std::int64_t> watched_at{0}, zero_at{0}, longest_gap{0};
 
   bool troubled_by(Trouble which) const noexcept {
     return trouble.load() == which && ticks.load() >= from_tick.load() && ticks.load() < until_tick.load();
@@ -123,7 +124,7 @@ inline void Board::clear() noexcept {
   violations = 0;
   first_violation = "";
   before_callback = after_callback = nullptr;
-  watched_from = -1;
+  watched = false;
   watched_at = zero_at = longest_gap = 0;
 }
 

@@ -53,9 +53,9 @@ void Mechanism::follow_habit(Board& board) noexcept {
 
 void Mechanism::keep_times(Board& board, bool pushed) noexcept {
   const std::int64_t now = std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-  const std::int64_t from = board.watched_from, gap = last_ == 0 ? 0 : now - last_;
+  const std::int64_t gap = last_ == 0 ? 0 : now - last_;
   last_ = now;
-  if (from < 0 || board.ticks < from || board.zero_at != 0) return;
+  if (!board.watched || board.ticks < board.from_tick || board.zero_at != 0) return;
   if (board.watched_at == 0) {
     board.watched_at = now;
   } else {
